@@ -146,16 +146,20 @@ impl Walk {
             let name = escape_hidden(&input.name);
             return Err(Failure::caller(format!("{name}: expected a scene or a log, found an empty file")));
         }
+        let name = escape_hidden(&input.name).to_string();
+        let doing = self.progress.doing(&format!("reading {name}"));
         let loaded = scene_argument::scene(input, &self.tracing.import())?;
+        doing.now("building the scene");
         let inputs = loaded.inputs.clone();
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         let warning = biased_effects(&scene).filter(|_| self.subject.ray.is_none());
         let warning = warning.map(|effects| (self.warnings().biased)(&effects));
+        doing.now("tracing the pixel");
         let log = short_log(&scene, part, self.tracing.arithmetic())?;
         // For a screenshot there is nothing to be shown before the whole of it.
         let session = Some(Session::new(scene, self.tracing.arithmetic(), self.screenshot.is_some()));
-        Ok(Walked { name: escape_hidden(&input.name).to_string(), log, warning, session, inputs })
+        Ok(Walked { name, log, warning, session, inputs })
     }
 
     fn warnings(&self) -> &'static Warnings {

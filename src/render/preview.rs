@@ -143,6 +143,19 @@ mod tests {
         build(&loaded.scene, &Default::default()).unwrap_or_else(|unsupported| panic!("{unsupported}"))
     }
 
+    /// The first look at a pixel of many samples is what one ray through its middle says.
+    #[test]
+    fn a_rough_dot_is_one_ray_through_the_middle() {
+        let one = scene("textbook");
+        let many = Scene { sampling: crate::scene::Sampling::Regular { n: 4 }, ..scene("textbook") };
+        let pixel = [80, 60];
+        let rough = rough_dot(&many, pixel, Arithmetic::F64);
+        assert_eq!(rough, dot(&one, pixel, Arithmetic::F64));
+        let whole = dot(&many, pixel, Arithmetic::F64);
+        assert_eq!((rough.samples, whole.samples), (1, 16));
+        assert_eq!(dots(&many, vec![pixel, [0, 0]], Arithmetic::F64)[0], whole);
+    }
+
     #[test]
     fn a_dot_has_the_colour_of_its_pixel() {
         let scene = scene("textbook");

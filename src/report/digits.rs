@@ -41,3 +41,33 @@ fn of_runs(language: Language, event: &Event) -> String {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::{self, Arithmetic};
+    use crate::scene::{build, builtin, file};
+
+    /// The book departs from its formulas at P₁, H₁ and the local intensity of P₂ (docs/notes.md), and nowhere else.
+    #[test]
+    fn what_the_book_prints_against_its_formulas_is_marked() {
+        let text = builtin::text("textbook").expect("the numeric example is built in");
+        let read = file::check(text.as_bytes(), "textbook").unwrap_or_else(|error| panic!("{}", error.report(false)));
+        let scene = build(&read.scene, &Default::default()).unwrap_or_else(|why| panic!("{why}"));
+        let marked = |arithmetic, language| {
+            let log = record::pixel(&scene, [160, 120], arithmetic);
+            let tree = Tree::of(&log.events);
+            let marked = (0..log.events.len()).filter_map(|event| {
+                let marker = marker(language, &log, &tree, event);
+                let (name, _) = log.events[event].noted().filter(|_| !marker.is_empty())?;
+                Some(format!("{} {}{marker}", tree.path(tree.owner(event)), name.key()))
+            });
+            marked.collect::<Vec<_>>()
+        };
+        let expected = ["C hit.point (printed)", "C half.direction (printed)", "C R shade.local (printed)"];
+        assert_eq!(marked(Arithmetic::Printed, Language::English), expected);
+        let expected = expected.map(|line| line.replace("printed", "impreso"));
+        assert_eq!(marked(Arithmetic::Printed, Language::Spanish), expected);
+        assert!(marked(Arithmetic::Decimal(3), Language::English).is_empty());
+    }
+}

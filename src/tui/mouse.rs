@@ -1,10 +1,10 @@
 //! The mouse: off until it is asked for, because a terminal can't select text while the viewer has it.
 
 use super::effect::Effect;
+use super::jumps;
 use super::keys::{Action, Walk};
 use super::model::layout::Layout;
 use super::model::{Model, Pane};
-use super::{jumps, view};
 use crate::log::tree::Item;
 use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
 use ratatui::layout::Position;
@@ -36,21 +36,20 @@ pub(super) fn toggle(model: &mut Model) {
     model.say(now);
 }
 
-/// Selects the row of the tree that was clicked, the step of the computation, the pixel of the picture, or the pane.
-pub(super) fn click(model: &mut Model, x: u16, y: u16) -> Effect {
+/// Selects the row of the tree that was clicked, what of the computation is there, the pixel of the picture, or the pane.
+pub(super) fn click(model: &mut Model, at: Position, computed: Option<Item>) -> Effect {
     let layout = model.layout(model.size);
-    let at = Position { x, y };
     focus(model, at);
     let body = Layout::body(layout.area(Pane::Tree));
     if body.contains(at) {
-        let below = usize::from(y - body.y);
+        let below = usize::from(at.y - body.y);
         let (row, count) = model.fold.down(&model.tree, model.top, below);
         // Below the last row there is nothing to select.
         if count == below {
             model.go_to_node(row);
         }
     }
-    match view::item_at(model, layout.area(Pane::Computation), at) {
+    match computed {
         Some(Item::Event(event)) => model.event = event,
         Some(Item::Node(node)) => model.go_to_node(node),
         None => {}

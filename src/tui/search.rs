@@ -28,7 +28,7 @@ struct Matcher<'a> {
     could_be_formula: bool,
     /// Whether it may be a part of `T2_A = 6.304`.
     could_be_equation: bool,
-    /// Whether it may be a part of `T2_A ≥ 0: 6.304 ≥ 0`.
+    /// Whether it may be a part of `T2_A ≥ 0: 6.304 ≥ 0` that no value has: what compares is evaluated only then.
     could_be_comparison: bool,
     /// Whether the word for a light that isn't blocked has it.
     is_lit: bool,
@@ -48,7 +48,7 @@ impl Matcher<'_> {
             could_be_class: pattern.is_made_of(&format!("LDSEAB(|){RAISED}")),
             could_be_formula: pattern.has_any(" +−-·*/√²∘×⊘^()|[]Σ"),
             could_be_equation: pattern.has_any("="),
-            could_be_comparison: could_be_number || pattern.has_any("<>≤≥=≠"),
+            could_be_comparison: pattern.has_any("<>≤≥=≠"),
             is_lit: pattern.is_in(model.texts().panes.outcomes.lit),
             is_in_quiz: model.understanding.quiz.is_some(),
         }

@@ -7,9 +7,10 @@ use super::model::list::Kind;
 use super::model::prompt::{Prompt, Purpose};
 use super::model::{Model, Overlay, Pane};
 use super::steps::{self, Stop};
-use super::view::help;
+use super::view::{self, help};
 use super::{jumps, list, mouse, panes, play, prompt, quiz, understanding, walk};
 use crate::log::tree::Item;
+use ratatui::layout::Position;
 
 /// Does an action.
 pub fn update(model: &mut Model, action: Action) -> Effect {
@@ -98,6 +99,11 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Walk(Walk::Wheel(rows, x, y)) => {
             let action = mouse::wheel(model, rows, x, y);
             return in_panes(model, action, Some(u32::from(rows.unsigned_abs())));
+        }
+        Action::Walk(Walk::Click(x, y)) => {
+            let at = Position { x, y };
+            let computed = view::item_at(model, model.layout(model.size).area(Pane::Computation), at);
+            return mouse::click(model, at, computed);
         }
         Action::Walk(walk) => return walk::update(model, walk, count),
         Action::Quit => return Effect::Leave(Exit::Quit),

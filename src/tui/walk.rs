@@ -41,8 +41,7 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
         Walk::CopyPath => return copy::path(model),
         Walk::Command => model.prompt = Some(Prompt::new(Purpose::Command)),
         Walk::Mouse => mouse::toggle(model),
-        Walk::Click(x, y) => return mouse::click(model, x, y),
-        Walk::Wheel(..) | Walk::Tick | Walk::Delete => {}
+        Walk::Click(..) | Walk::Wheel(..) | Walk::Tick | Walk::Delete => {}
     }
     Effect::None
 }

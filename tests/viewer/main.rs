@@ -14,3 +14,5 @@ mod spanish;
 #[cfg(unix)]
 mod terminal;
 mod understanding;
+#[cfg(unix)]
+mod waiting;

@@ -240,9 +240,9 @@ fn the_mouse_selects_and_scrolls() {
         .filter(|(row, event)| is_line(**event, &clicked(usize::from(other.y) + 1 + row, &shown)));
     assert!(hits.count() >= 3, "{selected:?}\n{shown}");
     // In a list a click selects an entry.
-    typed(&mut model, "d");
+    typed(&mut model, "0 29n d");
     let listed = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
-    let row = listed.lines().position(|line| line.contains("given in")).expect("an operand is given") as u16;
+    let row = listed.lines().position(|line| line.contains("reflect.direction")).expect("the second operand") as u16;
     at(&mut model, press, 50, row);
     let Some(Overlay::List { selected, .. }) = model.overlay else { panic!("the list is open") };
     let marked = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));

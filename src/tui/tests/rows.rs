@@ -48,9 +48,11 @@ fn a_light_behind_the_surface_says_so() {
     let log = lit_from_behind();
     let light = rows(&log, 80).into_iter().find(|row| row.contains("light lamp")).expect("it has a row");
     assert!(light.ends_with("☼ light lamp  ○ behind the surface"), "{light}");
-    let mut model = sized(log, 80, 24);
+    let narrow = rows(&log, 26).into_iter().find(|row| row.contains("lamp")).expect("it has a row");
+    assert!(narrow.ends_with("☼ lamp  ○ behind the …"), "{narrow}");
+    let mut model = sized(log, 100, 24);
     model.language = Language::Spanish;
-    let shown = dump(&frame(&model, 80, 24, &Theme::new(Palette::None, false)));
+    let shown = dump(&frame(&model, 100, 24, &Theme::new(Palette::None, false)));
     assert!(shown.contains("detrás de la superficie"), "{shown}");
 }
 

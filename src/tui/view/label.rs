@@ -16,11 +16,15 @@ pub(super) fn row(model: &Model, node: usize, theme: &Theme, room: usize) -> Vec
     let short = Parts { title: short_title(model, node, theme), ..whole.clone() };
     let outcomes = short.outcomes.iter().map(|outcome| Outcome { words: String::new(), ..outcome.clone() }).collect();
     let signs = Parts { outcomes, ..short.clone() };
-    let bare = Parts { outcomes: Vec::new(), ..short.clone() };
+    let is_told_by_glyph = matches!(model.tree.nodes()[node].step, Some(Step::Shade { .. }));
+    let title = if is_told_by_glyph { String::new() } else { short.title.clone() };
+    let bare = Parts { title, outcomes: Vec::new(), ..short.clone() };
     let ways = [whole.left(hidden), whole.left(None), short.left(None), signs.left(None), bare.left(None)];
     let mark = || (format!(" {}", theme.glyphs.cut_right), theme.style(Role::Faint));
     let right = whole.value.as_ref().map_or(0, |(value, _)| 2 + width_of(value));
-    for (number, way) in ways.iter().enumerate() {
+    // Without a value words are cut rather than left out.
+    let most = if whole.value.is_none() { 3 } else { ways.len() };
+    for (number, way) in ways.iter().enumerate().take(most) {
         let mark = (number > 0).then(mark);
         let mut pieces: Vec<Piece> = way.iter().cloned().chain(mark).collect();
         let used = width(&pieces) + right;
@@ -29,11 +33,29 @@ pub(super) fn row(model: &Model, node: usize, theme: &Theme, room: usize) -> Vec
             return pieces;
         }
     }
+    if whole.value.is_none() {
+        return cut_at(short.left(None), room, theme);
+    }
     match ways.into_iter().find(|way| width(way) + 2 <= room) {
         Some(way) => way.into_iter().chain([mark()]).collect(),
-        // The blanks stand for what is left out.
-        None => vec![(cut(&format!("{}{}  ", short.glyph, short.title), 0, room, theme), short.style)],
+        None => cut_at(bare.left(None), room, theme),
     }
+}
+
+/// As much of the pieces as fits, with a mark.
+fn cut_at(pieces: Vec<Piece>, room: usize, theme: &Theme) -> Vec<Piece> {
+    let mut left = room;
+    let mut shown = Vec::new();
+    for (text, style) in pieces {
+        if width_of(&text) < left {
+            left -= width_of(&text);
+            shown.push((text, style));
+        } else {
+            shown.push((cut(&format!("{text}  "), 0, left, theme), style));
+            break;
+        }
+    }
+    shown
 }
 
 fn width(pieces: &[Piece]) -> usize {
@@ -51,7 +73,7 @@ pub(super) fn label(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
 /// What is said of a node.
 #[derive(Clone)]
 struct Parts {
-    glyph: String,
+    glyph: &'static str,
     title: String,
     style: Style,
     outcomes: Vec<Outcome>,
@@ -78,12 +100,12 @@ impl Parts {
         };
         let (outcomes, value) = came_to(model, node, theme);
         let title = shown(&title, theme);
-        Parts { glyph: format!("{glyph} "), title, style: theme.style(role), outcomes, value }
+        Parts { glyph, title, style: theme.style(role), outcomes, value }
     }
 
     /// All but the value.
     fn left(&self, hidden: Option<Piece>) -> Vec<Piece> {
-        let name = [(self.glyph.clone(), self.style), (self.title.clone(), self.style)];
+        let name = [(format!("{} {}", self.glyph, self.title).trim_end().to_owned(), self.style)];
         let outcome =
             |Outcome { glyph, words, style }: &Outcome| (format!("  {glyph} {words}").trim_end().to_owned(), *style);
         name.into_iter().chain(hidden).chain(self.outcomes.iter().map(outcome)).collect()
