@@ -19,7 +19,7 @@ ends_with() {
 
 # 1 The numeric example
 raywalk > example.txt
-says example.txt 'V_d = N_p · d = (1, 0, 0)·(-0.946, 0.315, 0.079) = -0.946   [plane.v_d 1.3 (2)]'
+says example.txt 'V_d = N_p · d = (1, 0, 0)·(-0.946, 0.315, 0.0788) = -0.946   [plane.v_d 1.3 (2)]'
 says example.txt 'result: (393.054, 311.666, 370.310)'
 
 raywalk render textbook -o textbook.png --exposure -1.2 2> said.txt
@@ -82,7 +82,7 @@ raywalk trace wrong.ndjson --format text > wrong.txt
 says wrong.txt 'given η_1 = 1.500, η_2 = 0.667'
 says wrong.txt 'η = η_2/η_1 = 0.667/1.500 = 0.445   [refract.eta 1.2.1]'
 says wrong.txt '→ total internal reflection'
-says wrong.txt 'result: (0.091, 0.109, 0.145)'
+says wrong.txt 'result: (0.0905, 0.109, 0.145)'
 walk_wrong() { raywalk walk wrong-bubble.json --pixel 93,40 --screen 140,40 --screenshot "$1" --keys "$2"; }
 walk_wrong why.svg 'w'
 says why.svg 'C T  total internal reflection'
@@ -99,7 +99,7 @@ raywalk trace bubble.json --pixel 93,40 -o pinned.ndjson
 ends_with 1 raywalk diff wrong.ndjson pinned.ndjson --digits 3 > mended.txt
 says mended.txt 'First divergence in C T R R: refract.eta_2'
 says mended.txt 'η_2: 0.667 against 1: an input'
-says mended.txt '(0.091, 0.109, 0.145)'
+says mended.txt '(0.0905, 0.109, 0.145)'
 says mended.txt '(0.419, 0.502, 0.670)'
 
 # 8 Pinned

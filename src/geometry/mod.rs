@@ -1,17 +1,17 @@
 //! Rays, shapes and where they meet. This module knows numbers and their names, no materials, lights or scenes.
 
 mod area_normal;
-pub mod bounds;
-pub mod bvh;
+pub(crate) mod bounds;
+pub(crate) mod bvh;
 mod coincident;
 pub(crate) mod doubled;
 mod exact;
 mod line;
 pub mod mesh;
-pub mod motion;
-pub mod nearest;
+pub(crate) mod motion;
+pub(crate) mod nearest;
 pub mod processor;
-pub mod ray;
+pub(crate) mod ray;
 pub mod shape;
 pub(crate) mod size;
 pub(crate) mod unit;

@@ -2,7 +2,7 @@
 
 pub(in crate::log) mod decision;
 pub mod field;
-pub mod question;
+pub(crate) mod question;
 pub(in crate::log) mod step;
 mod words;
 

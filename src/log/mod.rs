@@ -4,18 +4,18 @@
 //! in the table of [`Name`].
 
 pub mod event;
-pub mod events;
+pub(crate) mod events;
 pub mod file;
 pub mod formula;
 pub mod header;
-pub mod name;
-pub mod rounding;
+pub(crate) mod name;
+pub(crate) mod rounding;
 pub mod schema;
 pub mod scope;
-pub mod shard;
+pub(crate) mod shard;
 pub mod table;
 pub mod tree;
-pub mod value;
+pub(crate) mod value;
 mod whole;
 pub(crate) mod words;
 

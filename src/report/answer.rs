@@ -151,8 +151,15 @@ mod tests {
         is_right(2.149e-12, 2.147_038_870_254_324e-12, false);
         is_right(0.0, 2.147_038_870_254_324e-12, false);
         is_right(1.5001e30, 1.5e30, true);
-        is_right(0.002_08, 1.0 / 480.0, true);
-        is_right(0.002, 1.0 / 480.0, false);
+    }
+
+    #[test]
+    fn a_small_number_counts_as_it_is_shown() {
+        let style = Style { keeps_small: true, ..Style::default() };
+        for (answer, expected) in [(0.002_08, true), (0.002_085, true), (0.002, false)] {
+            let verdict = judge(&Value::Number(answer), &Value::Number(1.0 / 480.0), style);
+            assert_eq!(verdict == Verdict::Right, expected, "{answer}: {verdict:?}");
+        }
     }
 
     #[test]

@@ -22,7 +22,7 @@ mod part;
 pub mod path_class;
 pub mod provenance;
 pub mod pseudocode;
-pub mod ray_group;
+pub(crate) mod ray_group;
 pub mod ray_tree;
 pub mod schematic;
 pub mod segments;
@@ -43,7 +43,7 @@ use crate::log::Header;
 pub struct Style {
     /// Decimals, 3 as in the source text unless asked otherwise.
     pub digits: u32,
-    /// Whether a number below 1 that loses digits keeps as many significant ones, 3 at most: `0.00208`, not `0.002`.
+    /// Whether a number below 1 has at least as many significant digits, or 3 if those are fewer: `0.00208`, not `0.002`.
     pub keeps_small: bool,
 }
 
@@ -51,7 +51,7 @@ impl Style {
     /// The most decimals that somebody can ask for.
     pub const MOST_DIGITS: u32 = 15;
 
-    /// That of a log with this header. By hand a number is what its decimals say.
+    /// How people see the numbers of a log with this header. By hand a number is what its decimals say.
     pub fn of(header: &Header, digits: u32) -> Style {
         let is_by_hand = header.arithmetic == "printed" || header.arithmetic.starts_with("decimal:");
         Style { digits, keeps_small: !is_by_hand }
@@ -79,6 +79,6 @@ impl Style {
 
 impl Default for Style {
     fn default() -> Self {
-        Style { digits: 3, keeps_small: true }
+        Style { digits: 3, keeps_small: false }
     }
 }

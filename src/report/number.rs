@@ -23,12 +23,11 @@ pub fn number(x: f64, style: Style) -> String {
 /// How many decimals a number has that isn't whole.
 fn decimals(x: f64, style: Style) -> u32 {
     const LEAST_SIGNIFICANT: u32 = 3;
-    let rounded = round_half_away(x, style.digits);
-    if !style.keeps_small || rounded.abs() >= 1.0 || rounded == x {
+    if !style.keeps_small || round_half_away(x, style.digits).abs() >= 1.0 {
         return style.digits;
     }
     // The exponent after rounding: 0.09996 is 0.100.
-    let least = style.digits.min(LEAST_SIGNIFICANT).max(1) - 1;
+    let least = style.digits.clamp(1, LEAST_SIGNIFICANT) - 1;
     let text = format!("{x:.*e}", least as usize);
     let exponent: i32 = text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
     style.digits.max(least + exponent.unsigned_abs())
@@ -140,20 +139,22 @@ mod tests {
 
     #[test]
     fn small_ones_keep_three_significant_digits() {
-        shows(1.0 / 480.0, "0.00208");
-        shows(-0.012_345, "-0.0123");
-        shows(0.099_96, "0.100");
-        shows(0.999_96, "1.000");
-        shows(0.000_512_3, "0.000512");
-        // Nothing is lost of these.
-        shows(0.05, "0.050");
-        shows(0.002, "0.002");
-        let by_hand = Style { keeps_small: false, ..Style::default() };
-        assert_eq!(number(1.0 / 480.0, by_hand), "0.002");
-        for (digits, expected) in [(3, "0.00208"), (4, "0.00208"), (6, "0.002083")] {
-            let style = Style::default().with(digits);
-            assert_eq!(number(1.0 / 480.0, style), expected);
+        let keeping = Style { keeps_small: true, ..Style::default() };
+        for (x, expected) in [
+            (1.0 / 480.0, "0.00208"),
+            (-0.012_345, "-0.0123"),
+            (0.099_96, "0.100"),
+            (0.999_96, "1.000"),
+            (0.000_512_3, "0.000512"),
+            (0.05, "0.0500"),
+            (0.5, "0.500"),
+        ] {
+            assert_eq!(number(x, keeping), expected);
         }
+        for (digits, expected) in [(1, "2.1·10⁻³"), (3, "0.00208"), (4, "0.00208"), (6, "0.002083")] {
+            assert_eq!(number(1.0 / 480.0, keeping.with(digits)), expected);
+        }
+        shows(1.0 / 480.0, "0.002");
     }
 
     #[test]

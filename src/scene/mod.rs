@@ -3,29 +3,29 @@
 //! After [`mod@file`] has read and checked a scene, names are indices, vectors have a length, and numbers
 //! are finite.
 
-pub mod adaptive_light;
+pub(crate) mod adaptive_light;
 mod aim;
-pub mod area_light;
+pub(crate) mod area_light;
 mod bare;
 mod build;
 pub mod builtin;
-pub mod camera;
-pub mod ceiling;
+pub(crate) mod camera;
+pub(crate) mod ceiling;
 mod effects;
 pub mod file;
 pub mod generate;
 mod immersion;
 mod index;
-pub mod lens;
-pub mod light;
-pub mod light_surface;
-pub mod material;
+pub(crate) mod lens;
+pub(crate) mod light;
+pub(crate) mod light_surface;
+pub(crate) mod material;
 mod open;
-pub mod profile;
+pub(crate) mod profile;
 mod solid_angle;
-pub mod square;
-pub mod tracing;
-pub mod unsupported;
+pub(crate) mod square;
+pub(crate) mod tracing;
+pub(crate) mod unsupported;
 
 pub use adaptive_light::{Adaptive, Rule, Sight};
 pub use aim::ray_along;

@@ -33,7 +33,7 @@ const SHOWN: [(&str, &str); 13] = [
     ("vectors L, N, R, T, V, H", ">H</text>"),
     ("H′ of a light behind", ">H′</text>"),
     ("H′ of a light behind", ">H</text>"),
-    ("semitransparent blocker", "= (0.810, 0.063, 0.040)   [shadow.transmittance 1.2.5]"),
+    ("semitransparent blocker", "= (0.810, 0.0625, 0.0400)   [shadow.transmittance 1.2.5]"),
     ("a sample stands for all of its pixel", "+ (0.950, 0.900, 0.800) + … + (0.250, 0.350, 0.600))/16 ="),
     ("stairs on curves", "nearest: flat profile"),
     ("stairs on curves", "nothing is hit: background"),

@@ -6,11 +6,8 @@ use crate::tags::read;
 use insta::assert_snapshot;
 use raywalk::log::{Log, Step, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
-use raywalk::report::Style;
-use raywalk::report::close_up::{
-    CloseUp, CloseUpError, Ink, Piece, Point2, Subject, latex, light, svg, vectors, zones,
-};
-use raywalk::report::language::Language;
+use raywalk::report::close_up::{CloseUp, CloseUpError, Ink, Piece, Point, Subject, latex, light, svg, vectors, zones};
+use raywalk::report::{Language, Style};
 use std::collections::HashMap;
 
 type Make = fn(&Subject) -> Result<CloseUp, CloseUpError>;
@@ -158,11 +155,11 @@ fn the_numeric_example_has_its_angles() {
     snapshots().bind(|| assert_snapshot!("close_up_vectors_svg", picture));
 }
 
-const MIDDLE: Point2 = [210.0, 210.0];
+const MIDDLE: Point = [210.0, 210.0];
 const RADIUS: f64 = 180.0;
 
 /// The area of a polygon.
-fn area(points: &[Point2]) -> f64 {
+fn area(points: &[Point]) -> f64 {
     let next = |at: usize| points[(at + 1) % points.len()];
     let twice = |at: usize| points[at][0] * next(at)[1] - points[at][1] * next(at)[0];
     (0..points.len()).map(twice).sum::<f64>().abs() / 2.0
@@ -193,7 +190,7 @@ fn the_sixteen_zones_are_equally_large_and_each_holds_its_direction() {
         .collect();
     assert_eq!(dots.len(), 16);
     for (number, (at, zone)) in dots.iter().zip(&zones).enumerate() {
-        let polar = |place: Point2| {
+        let polar = |place: Point| {
             let [x, y] = [place[0] - MIDDLE[0], MIDDLE[1] - place[1]];
             (libm::hypot(x, y), libm::atan2(y, x).rem_euclid(std::f64::consts::TAU))
         };

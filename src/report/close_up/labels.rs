@@ -1,6 +1,6 @@
 //! The places of texts on a sheet: where two would cover each other, the later one moves.
 
-use super::{Piece, Point2, Sheet};
+use super::{Piece, Point, Sheet};
 use crate::files::escape::width;
 
 /// Half of the room of a letter, and of a line of text.
@@ -16,7 +16,7 @@ const MOST: usize = 500;
 
 impl Sheet {
     /// A figure whose texts don't cover each other; where one would, it moves away from the middle.
-    pub(super) fn new(caption: String, size: [f64; 2], middle: Point2, mut pieces: Vec<Piece>) -> Sheet {
+    pub(super) fn new(caption: String, size: [f64; 2], middle: Point, mut pieces: Vec<Piece>) -> Sheet {
         apart(&mut pieces, size, middle);
         Sheet { caption, size, pieces }
     }
@@ -24,7 +24,7 @@ impl Sheet {
 
 /// Moves texts apart that cover each other: in the order of the pieces each takes the nearest free place, outward from `middle` or to a
 /// side, on the sheet and, if it moves, on no dot. Where there is none, it stays.
-fn apart(pieces: &mut [Piece], size: [f64; 2], middle: Point2) {
+fn apart(pieces: &mut [Piece], size: [f64; 2], middle: Point) {
     let is_text = |piece: &&Piece| matches!(piece, Piece::Text { .. });
     if pieces.iter().filter(is_text).count() > MOST {
         return;
@@ -56,7 +56,7 @@ fn apart(pieces: &mut [Piece], size: [f64; 2], middle: Point2) {
 }
 
 /// The places around one, outward and to the sides, with the square of their distance in steps.
-fn places(at: Point2, middle: Point2) -> impl Iterator<Item = (i32, Point2)> {
+fn places(at: Point, middle: Point) -> impl Iterator<Item = (i32, Point)> {
     let out = [at[0] - middle[0], at[1] - middle[1]];
     let length = libm::hypot(out[0], out[1]);
     let out = if length > 0.0 { out.map(|part| part / length) } else { [1.0, 0.0] };
@@ -70,7 +70,7 @@ fn places(at: Point2, middle: Point2) -> impl Iterator<Item = (i32, Point2)> {
 
 /// The room of a text.
 struct Label {
-    at: Point2,
+    at: Point,
     /// Half of its width and height.
     half: [f64; 2],
 }

@@ -4,7 +4,7 @@
 //! far side are hollow. What a shadow ray brings is in the table.
 
 use super::hit::{lights, number, shade, unit, value, vector};
-use super::sheet::{Ink, Piece, Plane, Point2, Sheet};
+use super::sheet::{Ink, Piece, Plane, Point, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
 use crate::log::{Asking, Decision, Log, Name, Tree, Value, What};
 use crate::report::contributions;
@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 
 /// The size of the sheet, the middle and the radius of the light.
 const SIZE: [f64; 2] = [360.0, 360.0];
-const MIDDLE: Point2 = [180.0, 180.0];
+const MIDDLE: Point = [180.0, 180.0];
 const RADIUS: f64 = 145.0;
 
 /// The radius of the point of a shadow ray of mean weight.
@@ -24,8 +24,8 @@ const DOT: f64 = 6.0;
 /// The most other area lights that the note names.
 const MOST_NAMED: usize = 4;
 
-/// A point of the light.
-struct Point {
+/// A point of the light that was asked.
+struct Asked {
     node: usize,
     split: u32,
     /// What part of the light's intensity it has.
@@ -119,13 +119,13 @@ fn area_lights(log: &Log, tree: &Tree, ray: usize) -> Option<(usize, Vec<u32>)> 
 }
 
 /// The points of a light that the local model of a ray's hit asks.
-fn points_of(log: &Log, tree: &Tree, shade: usize, light: u32) -> Vec<Point> {
+fn points_of(log: &Log, tree: &Tree, shade: usize, light: u32) -> Vec<Asked> {
     let nodes: Vec<_> = lights(tree, shade).into_iter().filter(|(_, of, _)| *of == light).collect();
     let count = nodes.len() as f64;
     // The weight of a rule's point is its part of the mean.
     let is_by_rule = |event: usize| matches!(log.events[event].what, What::Mark(Decision::Asked { light: of, why: Asking::Rule, .. }) if of == light);
     let whole = if tree.own_events(shade).any(is_by_rule) { 1.0 } else { count };
-    let point = |(node, _, split): &(usize, u32, u32)| Point {
+    let point = |(node, _, split): &(usize, u32, u32)| Asked {
         node: *node,
         split: *split,
         weight: [Name::LightWeight, Name::LightShare]
@@ -152,7 +152,7 @@ fn passed(log: &Log, tree: &Tree, light: usize) -> Option<[f64; 3]> {
 }
 
 /// Where a point of the light is, and whether it lies on the far side of a sphere.
-fn place(log: &Log, tree: &Tree, node: usize) -> Option<(Point2, bool)> {
+fn place(log: &Log, tree: &Tree, node: usize) -> Option<(Point, bool)> {
     if let Some(outward) = vector(log, tree, node, Name::LightOutward) {
         let plane = sphere(log, tree, node)?;
         let toward_viewer = plane.right.cross(plane.up);

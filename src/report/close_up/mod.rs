@@ -15,7 +15,7 @@ mod vectors;
 mod zones;
 
 pub use light::light;
-pub use sheet::{Ink, Piece, Point2, Sheet};
+pub use sheet::{Ink, Piece, Point, Sheet};
 pub use svg::svg;
 pub use table::text;
 pub use tikz::latex;

@@ -4,7 +4,7 @@ use crate::report::ray_group::RayGroup;
 use glam::DVec3;
 
 /// A place on a sheet: from the left and from the top, in hundredths of an inch or so.
-pub type Point2 = [f64; 2];
+pub type Point = [f64; 2];
 
 /// A figure.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,9 +23,9 @@ pub enum Piece {
     /// A line.
     Line {
         /// Where it begins.
-        from: Point2,
+        from: Point,
         /// Where it ends.
-        to: Point2,
+        to: Point,
         /// Its colour.
         ink: Ink,
         /// Whether it is dashed.
@@ -34,16 +34,16 @@ pub enum Piece {
     /// A vector: a line with a tip at its end.
     Arrow {
         /// Where it begins.
-        from: Point2,
+        from: Point,
         /// Where its tip is.
-        to: Point2,
+        to: Point,
         /// Its colour.
         ink: Ink,
     },
     /// A line of several parts; closed and filled faintly if it is an area.
     Path {
         /// Its corners.
-        points: Vec<Point2>,
+        points: Vec<Point>,
         /// Its colour.
         ink: Ink,
         /// Whether it is an area.
@@ -52,7 +52,7 @@ pub enum Piece {
     /// A point.
     Dot {
         /// Its middle.
-        at: Point2,
+        at: Point,
         /// Its radius.
         radius: f64,
         /// Its colour.
@@ -63,7 +63,7 @@ pub enum Piece {
     /// A text, by its middle.
     Text {
         /// The middle.
-        at: Point2,
+        at: Point,
         /// The text.
         text: String,
         /// Its colour.
@@ -122,7 +122,7 @@ impl Ink {
 
 /// A plane of space on a sheet: the origin of the vectors, two perpendicular unit directions, and the length of a unit vector.
 pub(super) struct Plane {
-    pub origin: Point2,
+    pub origin: Point,
     pub right: DVec3,
     pub up: DVec3,
     pub unit: f64,
@@ -130,7 +130,7 @@ pub(super) struct Plane {
 
 impl Plane {
     /// The place of a vector's end.
-    pub(super) fn place(&self, vector: DVec3) -> Point2 {
+    pub(super) fn place(&self, vector: DVec3) -> Point {
         [self.origin[0] + self.unit * vector.dot(self.right), self.origin[1] - self.unit * vector.dot(self.up)]
     }
 }

@@ -1,6 +1,6 @@
 //! A close-up as SVG, its sheets beside each other.
 
-use super::{CloseUp, Ink, Piece, Point2};
+use super::{CloseUp, Ink, Piece, Point};
 use crate::report::escape::line;
 use crate::report::svg;
 use std::fmt::Write;
@@ -58,7 +58,7 @@ fn draw(out: &mut String, piece: &Piece) {
     }
 }
 
-fn stroke(out: &mut String, [x1, y1]: Point2, [x2, y2]: Point2, ink: Ink, dashes: &str, width: f64) {
+fn stroke(out: &mut String, [x1, y1]: Point, [x2, y2]: Point, ink: Ink, dashes: &str, width: f64) {
     let dashes = if dashes.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dashes}\"") };
     line!(
         out,
@@ -68,7 +68,7 @@ fn stroke(out: &mut String, [x1, y1]: Point2, [x2, y2]: Point2, ink: Ink, dashes
 }
 
 /// The corners of an arrow's tip: its point, and the two beside its line.
-fn tip(from: Point2, to: Point2) -> [Point2; 3] {
+fn tip(from: Point, to: Point) -> [Point; 3] {
     let along = [to[0] - from[0], to[1] - from[1]];
     let length = libm::hypot(along[0], along[1]).max(f64::MIN_POSITIVE);
     let [x, y] = along.map(|part| part / length);
@@ -76,6 +76,6 @@ fn tip(from: Point2, to: Point2) -> [Point2; 3] {
     [to, beside(1.0), beside(-1.0)]
 }
 
-fn text(out: &mut String, at: Point2, words: &str, ink: Ink, more: &str) {
+fn text(out: &mut String, at: Point, words: &str, ink: Ink, more: &str) {
     *out += &svg::label(at, &format!("{more}fill=\"#{}\"", ink.hex()), 3, words);
 }

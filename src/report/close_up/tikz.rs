@@ -1,6 +1,6 @@
 //! A close-up as a document for pdflatex, with TikZ.
 
-use super::{CloseUp, Ink, Piece, Point2};
+use super::{CloseUp, Ink, Piece, Point};
 use crate::report::escape::{self, line};
 use std::fmt::Write;
 
@@ -68,6 +68,6 @@ fn words(text: &str) -> String {
     }
 }
 
-fn at([x, y]: Point2) -> String {
+fn at([x, y]: Point) -> String {
     format!("({:.3},{:.3})", x / UNITS, -y / UNITS)
 }

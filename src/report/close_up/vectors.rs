@@ -4,7 +4,7 @@
 //! halfway between them, H or H′, in a third one.
 
 use super::hit::{lights, number, shade, unit, vector};
-use super::sheet::{Ink, Piece, Plane, Point2, Sheet, arc, arrow};
+use super::sheet::{Ink, Piece, Plane, Point, Sheet, arc, arrow};
 use super::{CloseUp, CloseUpError, Subject};
 use crate::log::Name;
 use crate::report::words;
@@ -15,7 +15,7 @@ const SIZE: [f64; 2] = [280.0, 260.0];
 const UNIT: f64 = 92.0;
 
 /// Where the hit is.
-const ORIGIN: Point2 = [SIZE[0] / 2.0, SIZE[1] / 2.0];
+const ORIGIN: Point = [SIZE[0] / 2.0, SIZE[1] / 2.0];
 
 /// The radius of the arcs of angles.
 const ARC: f64 = 34.0;

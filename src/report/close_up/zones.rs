@@ -4,14 +4,14 @@
 //! likely: the part outside of the angle θ is cosⁿ⁺¹θ (`random::warp::lobe`).
 
 use super::hit::number;
-use super::sheet::{Ink, Piece, Point2, Sheet};
+use super::sheet::{Ink, Piece, Point, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
 use crate::log::{Decision, Log, Name, Step, Term, Tree};
 use std::f64::consts::TAU;
 
 /// The size of the sheet, the middle and the radius of the whole lobe.
 const SIZE: [f64; 2] = [420.0, 420.0];
-const MIDDLE: Point2 = [210.0, 210.0];
+const MIDDLE: Point = [210.0, 210.0];
 const RADIUS: f64 = 180.0;
 
 /// A zone of the log.
@@ -115,7 +115,7 @@ fn part_within([x, y, z]: [f64; 3], exponent: f64) -> f64 {
 }
 
 /// The place of a direction: the part of the lobe nearer to the axis, and turns around it.
-fn place(part: f64, turns: f64) -> Point2 {
+fn place(part: f64, turns: f64) -> Point {
     let (radius, angle) = (RADIUS * part.max(0.0).sqrt(), TAU * turns);
     [MIDDLE[0] + radius * libm::cos(angle), MIDDLE[1] - radius * libm::sin(angle)]
 }
@@ -129,7 +129,7 @@ fn rings(zones: &[Zone]) -> Vec<f64> {
 }
 
 /// The outline of a zone.
-fn outline(zone: &Zone) -> Vec<Point2> {
+fn outline(zone: &Zone) -> Vec<Point> {
     const STEPS: u32 = 24;
     let along = |ring: f64| {
         let [from, to] = zone.sectors;

@@ -38,7 +38,7 @@ macro_rules! in_language {
     ($language:ident, $table:ty) => { <$table>::$language };
 }
 
-pub mod close_up;
+pub(crate) mod close_up;
 mod solution;
 mod texts;
 pub mod viewer;

@@ -1,6 +1,6 @@
 //! The schematic as text: lines of braille dots, letters and names over them.
 
-use super::{Plan, Point2};
+use super::{Plan, Point};
 use crate::files::escape::{cells, escape_hidden};
 
 /// The size of a character, in units of the plan: labels that don't cover each other there don't here.
@@ -16,7 +16,7 @@ pub fn braille(plan: &Plan) -> String {
     let dots = |dots: &u8| if *dots == 0 { ' ' } else { char::from_u32(0x2800 + u32::from(*dots)).unwrap_or(' ') };
     let mut text: Vec<Vec<String>> =
         grid.iter().map(|row| row.iter().map(|cell| dots(cell).to_string()).collect()).collect();
-    let mut put = |[x, y]: Point2, label: &str| {
+    let mut put = |[x, y]: Point, label: &str| {
         let label = escape_hidden(label);
         // A wide letter takes the place of two.
         let mut label_cells: Vec<&str> = Vec::new();
@@ -42,9 +42,9 @@ pub fn braille(plan: &Plan) -> String {
 }
 
 /// Draws a line of dots, four rows and two columns of which are a character.
-fn draw(grid: &mut [Vec<u8>], from: Point2, to: Point2, is_dashed: bool) {
+fn draw(grid: &mut [Vec<u8>], from: Point, to: Point, is_dashed: bool) {
     const DOTS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
-    let dot = |place: Point2| [place[0] / CELL[0] * 2.0, place[1] / CELL[1] * 4.0];
+    let dot = |place: Point| [place[0] / CELL[0] * 2.0, place[1] / CELL[1] * 4.0];
     let ([x1, y1], [x2, y2]) = (dot(from), dot(to));
     let steps = (x2 - x1).abs().max((y2 - y1).abs()).ceil().clamp(1.0, 4000.0) as u32;
     for step in 0..=steps {

@@ -1,9 +1,9 @@
 //! Lines cut to what is seen of them.
 
-use super::Point2;
+use super::Point;
 
 /// The part of a line inside a rectangle (Liang and Barsky, 1984).
-pub fn clip([from, to]: [Point2; 2], x: [f64; 2], y: [f64; 2]) -> Option<[Point2; 2]> {
+pub fn clip([from, to]: [Point; 2], x: [f64; 2], y: [f64; 2]) -> Option<[Point; 2]> {
     let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
     for (axis, [low, high]) in [x, y].into_iter().enumerate() {
         let along = to[axis] - from[axis];

@@ -1,6 +1,6 @@
 //! Where the texts of the schematic are: each where it covers no other, the first of some places that is free.
 
-use super::{Label, Point2, Ray, clip};
+use super::{Label, Point, Ray, clip};
 use crate::files::escape::{shortened, width};
 use crate::report::ray_tree::short;
 use std::collections::HashSet;
@@ -30,10 +30,10 @@ impl<'p> Labels<'p> {
     }
 
     /// A name beside a point: where it lies on the fewest rays.
-    pub(super) fn name(&mut self, point: Point2, name: &str) {
+    pub(super) fn name(&mut self, point: Point, name: &str) {
         let text = shortened(name, LONGEST);
         let half = half_size(&text);
-        let mut best: Option<(usize, Point2)> = None;
+        let mut best: Option<(usize, Point)> = None;
         for reach in [1.0, 2.2, 3.6] {
             let (across, along) = (half[0] + 7.0 * reach, 6.0 + 6.0 * reach);
             for [x, y] in [[0.0, -1.0], [1.0, -0.4], [-1.0, -0.4], [0.0, 1.0], [1.0, 0.6], [-1.0, 0.6]] {
@@ -74,7 +74,7 @@ impl<'p> Labels<'p> {
         }
     }
 
-    fn is_free(&self, at: Point2, half: [f64; 2]) -> bool {
+    fn is_free(&self, at: Point, half: [f64; 2]) -> bool {
         let is_inside = (0..2).all(|axis| at[axis] - half[axis] >= 0.0 && at[axis] + half[axis] <= self.size[axis]);
         let overlaps = |(label, other): &(Label, [f64; 2])| {
             (0..2).all(|axis| (label.at[axis] - at[axis]).abs() < half[axis] + other[axis] + 1.0)
@@ -88,7 +88,7 @@ fn half_size(text: &str) -> [f64; 2] {
 }
 
 /// Whether a ray runs through a box: looked for at points that lie closer than the box is high.
-fn crosses(ray: &Ray, at: Point2, half: [f64; 2]) -> bool {
+fn crosses(ray: &Ray, at: Point, half: [f64; 2]) -> bool {
     let length = (0..2).map(|axis| (ray.to[axis] - ray.from[axis]).abs()).fold(0.0, f64::max);
     let steps = (length / HALF_LINE).ceil().clamp(1.0, 400.0) as u32;
     (0..=steps).any(|step| {

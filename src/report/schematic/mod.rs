@@ -39,7 +39,7 @@ pub struct Stage<'a> {
 }
 
 /// A place in the figure: from the left and from the top, in units of a hundredth of an inch or so.
-pub type Point2 = [f64; 2];
+pub type Point = [f64; 2];
 
 /// What is drawn where.
 #[derive(Clone, Debug)]
@@ -49,15 +49,15 @@ pub struct Plan {
     /// Which axes of space run to the right and upward, such as `x` and `−z`.
     pub axes: [&'static str; 2],
     /// The outlines of objects; they may reach out of the figure.
-    pub outlines: Vec<Vec<Point2>>,
+    pub outlines: Vec<Vec<Point>>,
     /// The rays.
     pub rays: Vec<Ray>,
     /// Where they meet something.
-    pub points: Vec<Point2>,
+    pub points: Vec<Point>,
     /// The lights that rays go to.
-    pub lights: Vec<Point2>,
+    pub lights: Vec<Point>,
     /// The eye.
-    pub eye: Option<Point2>,
+    pub eye: Option<Point>,
     /// A text and where its middle is.
     pub labels: Vec<Label>,
 }
@@ -70,16 +70,16 @@ pub struct Ray {
     /// Whether it is stopped on its way to a light.
     pub is_blocked: bool,
     /// Where it begins.
-    pub from: Point2,
+    pub from: Point,
     /// Where it ends, or the figure does.
-    pub to: Point2,
+    pub to: Point,
 }
 
 /// A text in the figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// Its middle.
-    pub at: Point2,
+    pub at: Point,
     /// The text.
     pub text: String,
     /// The kind of ray that it belongs to, and whether that is blocked; none for names.
@@ -87,7 +87,7 @@ pub struct Label {
 }
 
 impl Plan {
-    fn is_inside(&self, place: Point2) -> bool {
+    fn is_inside(&self, place: Point) -> bool {
         (0..2).all(|axis| (0.0..=self.size[axis]).contains(&place[axis]))
     }
 }
@@ -141,7 +141,7 @@ pub fn plan(log: &Log, tree: &Tree, node: usize, stage: Stage, language: Languag
 }
 
 /// From a point in space to its place on the page.
-type Flat = fn([f64; 3]) -> Point2;
+type Flat = fn([f64; 3]) -> Point;
 
 /// Which axes of space run to the right and upward where one is left out, and the place of a point there, downward.
 fn view(dropped: usize, upright: usize) -> ([&'static str; 2], Flat) {

@@ -16,7 +16,7 @@ pub mod raw;
 pub mod schema;
 pub mod validate;
 
-pub mod converted;
+pub(crate) mod converted;
 mod foreign;
 mod form;
 mod load;

@@ -10,7 +10,7 @@
 //! assert_eq!(read.map(|read| read.mesh.faces), Ok(vec![[0, 1, 2], [0, 2, 3]]));
 //! ```
 
-pub mod limits;
+pub(crate) mod limits;
 
 mod collect;
 mod fault;
