@@ -4,6 +4,7 @@ use super::failure::{Failure, shown};
 use super::inputs::{Claim, Inputs, place_of, refuse_printing};
 use super::unfinished::{self, Beside};
 use super::zstd;
+use crossterm::terminal::{Clear, ClearType};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use raywalk::files::Packing;
@@ -11,6 +12,7 @@ use raywalk_guard::{Patient, stdout_was_closed};
 use std::fs;
 use std::io::{self, BufWriter, StdoutLock, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A place for a result, made sure of before the work begins.
 pub enum Output {
@@ -157,7 +159,16 @@ fn folder_of(place: &Path) -> &Path {
 
 /// Prints a message on standard error; nothing where that is closed or full.
 pub fn tell(message: &str) {
+    tell_for_now("");
     let _ = writeln!(anstream::stderr(), "{message}");
+}
+
+/// Shows on a line of standard error what is being done, until the next message; an empty text takes the line away.
+pub fn tell_for_now(doing: &str) {
+    static HAS_LINE: AtomicBool = AtomicBool::new(false);
+    if HAS_LINE.swap(!doing.is_empty(), Ordering::Relaxed) || !doing.is_empty() {
+        let _ = write!(io::stderr(), "\r{}{doing}", Clear(ClearType::UntilNewLine));
+    }
 }
 
 #[cfg(test)]

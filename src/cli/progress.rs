@@ -1,5 +1,6 @@
 //! How far the work is, on standard error.
 
+use super::output::tell_for_now;
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt;
@@ -56,6 +57,19 @@ impl ProgressOptions {
     /// Starts to show progress toward `total` pixels.
     pub fn start(&self, total: u64) -> Progress {
         self.of(Some(total), true, "{bar:40} {percent:>3} %  {spent} elapsed, {rest} left")
+    }
+
+    /// Says what is being done before there is anything else to see, on a line that goes when it is done.
+    pub fn doing(&self, what: &str) -> Doing {
+        let is_shown = !self.quiet
+            && match self.progress {
+                ProgressChoice::Auto => stderr().is_terminal(),
+                ProgressChoice::Always => true,
+                ProgressChoice::Never | ProgressChoice::Json => false,
+            };
+        let doing = Doing { is_shown };
+        doing.now(what);
+        doing
     }
 
     /// Shows how much of a file has been read; `size` is `None` if unknown.
@@ -116,6 +130,28 @@ impl<R: Read> Read for Reading<R> {
 impl<R> Drop for Reading<R> {
     fn drop(&mut self) {
         self.progress.finish();
+    }
+}
+
+/// Says what is being done until it is dropped.
+pub struct Doing {
+    is_shown: bool,
+}
+
+impl Doing {
+    /// What is being done now.
+    pub fn now(&self, what: &str) {
+        if self.is_shown {
+            tell_for_now(&format!("{what} ..."));
+        }
+    }
+}
+
+impl Drop for Doing {
+    fn drop(&mut self) {
+        if self.is_shown {
+            tell_for_now("");
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use super::inputs::Inputs;
 use super::live::Session;
 use super::live::workbench::Workbench;
 use super::look::Look;
-use super::options::{ColorChoice, TracingOptions, biased_effects, numbers};
+use super::options::{ColorChoice, TracingOptions, biased_effects};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
 use super::saved_log::{self, Saved};
@@ -48,7 +48,7 @@ pub struct Walk {
     #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
     lang: Lang,
     /// Decimals
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=i64::from(Style::MOST_DIGITS)))]
     digits: u32,
     /// Write a picture of the viewer instead of opening it
     #[arg(long, value_name = "FILE.svg")]
@@ -57,7 +57,7 @@ pub struct Walk {
     #[arg(long, value_name = "KEYS", requires = "screenshot", default_value = "", hide_default_value = true)]
     keys: String,
     /// The size of the screenshot in characters
-    #[arg(long, value_name = "COLUMNS,ROWS", requires = "screenshot", value_parser = numbers::<u16, 2>)]
+    #[arg(long, value_name = "COLUMNSxROWS", requires = "screenshot", value_parser = screen)]
     screen: Option<[u16; 2]>,
     #[command(flatten)]
     tracing: TracingOptions,
@@ -147,13 +147,17 @@ impl Walk {
             let name = escape_hidden(&input.name);
             return Err(Failure::caller(format!("{name}: expected a scene or a log, found an empty file")));
         }
+        let name = escape_hidden(&input.name).to_string();
+        let doing = self.progress.doing(&format!("reading {name}"));
         let loaded = scene_argument::scene(&input, &self.tracing.import())?;
-        let (inputs, name) = (loaded.inputs.clone(), escape_hidden(&input.name).to_string());
+        doing.now("building the scene");
+        let inputs = loaded.inputs.clone();
         let workbench = Workbench::new(input, loaded, self.tracing.clone(), self.frames);
         let scene = workbench.scene()?;
         let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         let warning = biased_effects(&scene).filter(|_| self.subject.ray.is_none());
         let warning = warning.map(|effects| (self.warnings().biased)(&effects));
+        doing.now("tracing the pixel");
         let log = short_log(&scene, part, self.tracing.arithmetic())?;
         // For a screenshot there is nothing to be shown before the whole of it.
         let session = Some(Session::new(scene, workbench, self.screenshot.is_some()));
@@ -175,7 +179,8 @@ impl Walk {
         let walked = self.walked.is_none().then(|| walked.to_string_lossy().into_owned());
         let pixel = outcome.position.pixel.filter(|_| !was_log);
         let language = Some(outcome.language).filter(|language| *language != self.lang.into());
-        let words = words_back(words, walked, pixel, language, outcome.position.at);
+        let digits = Some(outcome.numbers.digits).filter(|digits| *digits != self.digits);
+        let words = words_back(words, walked, pixel, (language, digits), outcome.position.at);
         let words: Vec<_> = words.iter().map(|word| quoted(word)).collect();
         format!("raywalk {}", words.join(" "))
     }
@@ -185,13 +190,13 @@ impl Walk {
             return Err(Failure::caller(format!("{}: expected a name that ends in .svg", shown(path))));
         }
         if let Some(name) = tui::keys::unknown_name(&self.keys) {
-            let message = format!("--keys: no key is called `<{}>`; `?` in the viewer lists them", escape_hidden(name));
+            let message = format!("--keys: no key is called `{}`; `?` in the viewer lists them", escape_hidden(name));
             return Err(Failure::caller(message));
         }
         match self.screen {
             Some([0, _] | [_, 0]) => Err(Failure::caller("--screen: at least 1 column and 1 row".to_owned())),
             Some([width, height]) if width > MAX_SCREEN || height > MAX_SCREEN => {
-                Err(Failure::caller(format!("--screen {width},{height}: at most {MAX_SCREEN} columns and rows")))
+                Err(Failure::caller(format!("--screen {width}x{height}: at most {MAX_SCREEN} columns and rows")))
             }
             _ => Ok(()),
         }
@@ -209,6 +214,16 @@ impl Walk {
     }
 }
 
+/// The size of a screen: `110x30`, or with a comma.
+fn screen(text: &str) -> Result<[u16; 2], String> {
+    let size =
+        || text.split_once(['x', 'X', ',']).map(|(columns, rows)| [columns, rows].map(|side| side.trim().parse().ok()));
+    match size() {
+        Some([Some(columns), Some(rows)]) => Ok([columns, rows]),
+        _ => Err("expected columns and rows, such as 110x30".to_owned()),
+    }
+}
+
 /// Ends as a viewer was left.
 pub fn left(exit: Exit) -> Result<(), Failure> {
     let code = match exit {
@@ -220,13 +235,14 @@ pub fn left(exit: Exit) -> Result<(), Failure> {
     Err(Failure::silent(code))
 }
 
-/// The words of a call, so that they lead to a pixel (if it isn't that of a ray or a log), a language (if it was changed) and a step.
+/// The words of a call, so that they lead to a pixel (if it isn't that of a ray or a log), a language and decimals (if they were changed) and a
+/// step.
 /// `walked` is the scene if the call named none.
 fn words_back(
     words: Vec<String>,
     walked: Option<String>,
     pixel: Option<[u32; 2]>,
-    language: Option<Language>,
+    (language, digits): (Option<Language>, Option<u32>),
     at: u32,
 ) -> Vec<String> {
     let mut options = words;
@@ -243,6 +259,9 @@ fn words_back(
     if language.is_some() {
         forget("--lang");
     }
+    if digits.is_some() {
+        forget("--digits");
+    }
     if pixel.is_some() {
         forget("--pixel");
         forget("--ray");
@@ -258,6 +277,9 @@ fn words_back(
     }
     if let Some(language) = language {
         options.extend(["--lang".to_owned(), language.code().to_owned()]);
+    }
+    if let Some(digits) = digits {
+        options.extend(["--digits".to_owned(), digits.to_string()]);
     }
     options.extend(["--at".to_owned(), at.to_string()]);
     options.extend(rest);
@@ -288,7 +310,11 @@ mod tests {
     #[track_caller]
     fn leads(call: &str, walked: Option<&str>, pixel: Option<[u32; 2]>, expected: &str) {
         let words = call.split_whitespace().map(str::to_owned).collect();
-        assert_eq!(words_back(words, walked.map(str::to_owned), pixel, None, 7).join(" "), expected, "after {call}");
+        assert_eq!(
+            words_back(words, walked.map(str::to_owned), pixel, (None, None), 7).join(" "),
+            expected,
+            "after {call}"
+        );
     }
 
     #[test]
@@ -303,8 +329,8 @@ mod tests {
         let options = "--color never walk --arithmetic f32";
         leads(options, Some("textbook"), there, "--color never walk textbook --arithmetic f32 --pixel 10,20 --at 7");
         let words = "walk a.json --lang en".split(' ').map(str::to_owned).collect();
-        let back = words_back(words, None, None, Some(Language::Spanish), 7);
-        assert_eq!(back.join(" "), "walk a.json --lang es --at 7");
+        let back = words_back(words, None, None, (Some(Language::Spanish), Some(6)), 7);
+        assert_eq!(back.join(" "), "walk a.json --lang es --digits 6 --at 7");
         leads("walk -- a.json", None, there, "walk --pixel 10,20 --at 7 -- a.json");
     }
 }

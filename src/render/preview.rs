@@ -2,7 +2,8 @@
 
 use crate::log::{Name, RayKind, Step};
 use crate::probe::{Probe, Quantity};
-use crate::record::{Arithmetic, Pixel};
+use crate::record::{Arithmetic, Computation, Pixel};
+use crate::sampling;
 use crate::scene::{Color, Scene};
 use crate::threads::{Threads, wanted};
 use glam::DVec3;
@@ -27,6 +28,33 @@ pub fn dot(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Dot {
     let (color, gauge) = arithmetic.run(PreviewProbe::default(), Pixel { scene, pixel });
     let depth = gauge.first_hit.map(|point| (point - scene.camera.position()).length());
     Dot { color, depth, rays: gauge.rays, samples: gauge.samples.max(1) }
+}
+
+/// What one ray through the middle of a pixel says of it, where the pixel has more: its colour until the others are traced.
+pub fn rough_dot(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Dot {
+    let (color, gauge) = arithmetic.run(PreviewProbe::default(), Center(Pixel { scene, pixel }));
+    let depth = gauge.first_hit.map(|point| (point - scene.camera.position()).length());
+    Dot { color, depth, rays: gauge.rays, samples: 1 }
+}
+
+/// The computation of one ray of a pixel.
+#[derive(Clone, Copy)]
+struct Center<'s>(Pixel<'s>);
+
+impl Computation for Center<'_> {
+    fn run<P: Probe>(self, probe: &mut P) -> Color {
+        sampling::through_center(self.0.scene, self.0.pixel, probe)
+    }
+
+    fn pixel(&self) -> [u32; 2] {
+        self.0.pixel
+    }
+}
+
+/// The dots of these pixels, in their order.
+pub fn dots(scene: &Scene, pixels: Vec<[u32; 2]>, arithmetic: Arithmetic) -> Vec<Dot> {
+    let dot = |pixel| dot(scene, pixel, arithmetic);
+    Threads::of(wanted(), pixels.len()).run(|| pixels.into_par_iter().map(dot).collect())
 }
 
 /// By how much single precision misses the colour of a pixel, in the worst channel.
@@ -113,6 +141,19 @@ mod tests {
         let text = builtin::text(name).unwrap_or_default();
         let loaded = file::check(text.as_bytes(), name).unwrap_or_else(|error| panic!("{}", error.report(false)));
         build(&loaded.scene, &Default::default()).unwrap_or_else(|unsupported| panic!("{unsupported}"))
+    }
+
+    /// The first look at a pixel of many samples is what one ray through its middle says.
+    #[test]
+    fn a_rough_dot_is_one_ray_through_the_middle() {
+        let one = scene("textbook");
+        let many = Scene { sampling: crate::scene::Sampling::Regular { n: 4 }, ..scene("textbook") };
+        let pixel = [80, 60];
+        let rough = rough_dot(&many, pixel, Arithmetic::F64);
+        assert_eq!(rough, dot(&one, pixel, Arithmetic::F64));
+        let whole = dot(&many, pixel, Arithmetic::F64);
+        assert_eq!((rough.samples, whole.samples), (1, 16));
+        assert_eq!(dots(&many, vec![pixel, [0, 0]], Arithmetic::F64)[0], whole);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The user's answers: read from a line, and judged as exactly as values are shown.
 
-use super::{Style, number};
-use crate::log::Value;
+use super::{Style, evaluate, number};
+use crate::log::{Log, Tree, Value, What, formula};
 
 /// How an answer compares with the value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +57,20 @@ fn number_of(word: &str) -> Option<f64> {
     }
     let is_written_out = text.chars().all(|c| c.is_ascii_digit() || "+-.eE".contains(c));
     text.parse().ok().filter(|x: &f64| x.is_finite() && is_written_out && (!is_in_power || text.contains('e')))
+}
+
+/// The value of the formula of the quantity that `event` notes, computed from the operands as they are shown: what somebody gets who computes it
+/// from the screen. `None` without a formula, and where not all operands are shown, as those of statistics.
+pub fn from_shown(log: &Log, tree: &Tree, event: usize, style: Style) -> Option<Value> {
+    let What::Note { name, .. } = log.events[event].what else { return None };
+    let shown = |symbol, light| {
+        let value = match light {
+            None if name.is_doubled() => evaluate::doubled_operand(&log.events, tree, event, symbol).ok()?,
+            _ => evaluate::operand(&log.events, tree, event, symbol, light)?.value,
+        };
+        Some(value.map(|x| number::read_back(x, style)))
+    };
+    evaluate::evaluate_with(log, tree, event, formula::of(name)?, &shown).ok()
 }
 
 /// Judges an answer: each component may be off by half a unit of the last decimal that is shown of the true one.
@@ -145,6 +159,31 @@ mod tests {
         for (answer, expected) in [(0.002_08, true), (0.002_085, true), (0.002, false)] {
             let verdict = judge(&Value::Number(answer), &Value::Number(1.0 / 480.0), style);
             assert_eq!(verdict == Verdict::Right, expected, "{answer}: {verdict:?}");
+        }
+    }
+
+    #[test]
+    fn a_value_follows_from_the_numbers_as_they_are_shown() {
+        use crate::record::{self, Arithmetic};
+        use crate::scene::{build, builtin, file};
+        let text = builtin::text("textbook").expect("the numeric example is built in");
+        let read = file::check(text.as_bytes(), "textbook").unwrap_or_else(|error| panic!("{}", error.report(false)));
+        let scene = build(&read.scene, &Default::default()).unwrap_or_else(|why| panic!("{why}"));
+        // `P = O + d·t` of the camera ray, of which the book prints (4, 6, 8); `T2_A = 9 − 178 + 13.240²` in f64.
+        let point = [16.0 - 0.946 * 12.685, 2.0 + 0.315 * 12.685, 7.0 + 0.079 * 12.685];
+        for (arithmetic, key, expected) in [
+            (Arithmetic::Printed, "hit.point", Value::Triple(point)),
+            (Arithmetic::F64, "sphere.t2_a", Value::Number(9.0 - 178.0 + 13.24 * 13.24)),
+        ] {
+            let log = record::pixel(&scene, [160, 120], arithmetic);
+            let tree = Tree::of(&log.events);
+            let mut noted = (0..log.events.len())
+                .filter(|event| log.events[*event].noted().is_some_and(|(name, _)| name.key() == key));
+            let event = if key == "hit.point" { noted.next() } else { noted.next_back() };
+            let event = event.expect("the example has both");
+            let shown = from_shown(&log, &tree, event, Style::of(&log.header, 3)).expect("it has a formula");
+            let is_close = shown.components().iter().zip(expected.components()).all(|(a, b)| (a - b).abs() < 1e-12);
+            assert!(is_close, "{shown:?} for {expected:?} in {arithmetic}");
         }
     }
 

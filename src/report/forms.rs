@@ -82,8 +82,11 @@ fn gives(log: &Log, tree: &Tree, event: usize, name: Name) -> bool {
     })
 }
 
-/// The decimals of an arithmetic by hand.
+/// The decimals of an arithmetic by hand; the book has three.
 fn by_hand(log: &Log) -> Option<u32> {
+    if log.header.arithmetic == "printed" {
+        return Some(Style::default().digits);
+    }
     log.header.arithmetic.strip_prefix("decimal:").and_then(|digits| digits.parse().ok())
 }
 

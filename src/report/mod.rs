@@ -48,10 +48,22 @@ pub struct Style {
 }
 
 impl Style {
+    /// The most decimals that somebody can ask for.
+    pub const MOST_DIGITS: u32 = 15;
+
     /// How people see the numbers of a log with this header. By hand a number is what its decimals say.
     pub fn of(header: &Header, digits: u32) -> Style {
         let is_by_hand = header.arithmetic == "printed" || header.arithmetic.starts_with("decimal:");
         Style { digits, keeps_small: !is_by_hand }
+    }
+
+    /// The same for a value of a log with this header: by hand it has no more decimals than it was rounded to.
+    pub fn within(self, header: &Header) -> Style {
+        let by_hand = match header.arithmetic.as_str() {
+            "printed" => Some(Style::default().digits),
+            arithmetic => arithmetic.strip_prefix("decimal:").and_then(|digits| digits.parse().ok()),
+        };
+        by_hand.map_or(self, |most| Style { digits: self.digits.min(most), keeps_small: false })
     }
 
     /// The same with this many decimals.

@@ -52,7 +52,7 @@ pub fn telling(a: &Value, b: &Value, style: Style) -> Style {
 }
 
 /// The number that is shown of a number.
-fn read_back(x: f64, style: Style) -> f64 {
+pub(super) fn read_back(x: f64, style: Style) -> f64 {
     let text = number(x, style);
     let (mantissa, exponent) = text.split_once("·10").unwrap_or((&text, ""));
     format!("{mantissa}e{}", if exponent.is_empty() { "0".to_owned() } else { lowered(exponent) }).parse().unwrap_or(x)

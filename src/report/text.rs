@@ -42,7 +42,7 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             let source = [Some(name.key().to_owned()), tag(log, tree, event)];
             let source = source.into_iter().flatten().collect::<Vec<_>>().join(" ");
             let line = computation(language, log, tree, event, style)?.line();
-            let body = format!("{line}{}   [{source}]", digits::marker(language, happening));
+            let body = format!("{line}{}   [{source}]", digits::marker(language, log, tree, event));
             let given = given(language, log.given(event), style);
             if given.is_empty() { body } else { format!("{} {given}\n{}{body}", language.texts().given, indent(level)) }
         }
@@ -53,13 +53,13 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             format!(
                 "→ {}{numbers}{lost}{}",
                 words::decision(language, &log.header, decision, style),
-                digits::marker(language, happening)
+                digits::marker(language, log, tree, event)
             )
         }
         What::Leave => return None,
         What::Result { color } => {
             let color = language.value(&Value::Triple(*color), style);
-            return Some(format!("{}: {color}{}", language.texts().result, digits::marker(language, happening)));
+            return Some(format!("{}: {color}{}", language.texts().result, digits::marker(language, log, tree, event)));
         }
     };
     Some(format!("{}{body}", indent(level)))

@@ -46,9 +46,9 @@ fn mean_of_samples<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> C
     }
 }
 
-/// One ray through the pixel's centre. What else a sample decides is random all the same.
+/// One ray through the pixel's centre, whatever the scene's method. What else a sample decides is random all the same.
 #[inline(always)]
-fn through_center<P: Probe>(scene: &Scene, [column, row]: [u32; 2], probe: &mut P) -> Color {
+pub fn through_center<P: Probe>(scene: &Scene, [column, row]: [u32; 2], probe: &mut P) -> Color {
     let center = [f64::from(column) + 0.5, f64::from(row) + 0.5];
     let draws = Draws::of_pixel(scene.seed, [column, row], 0, Arrangement::Independent);
     ray_through(scene, center, &draws, probe).color

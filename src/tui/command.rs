@@ -7,6 +7,7 @@ use super::model::{Model, breakpoint};
 use super::{bookmarks, breakpoints, edit, jumps, search, walk};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
+use crate::report::Style;
 use crate::report::language::Language;
 use crate::report::language::viewer::Commands;
 use crate::report::words::plain;
@@ -34,6 +35,7 @@ enum Argument {
     File,
     Number,
     Name,
+    Decimals,
 }
 
 impl Argument {
@@ -50,6 +52,7 @@ impl Argument {
             Argument::File => texts.file,
             Argument::Number => texts.number,
             Argument::Name => texts.name,
+            Argument::Decimals => "N",
         }
     }
 }
@@ -76,6 +79,7 @@ const COMMANDS: &[Command] = &[
         argument: Argument::Number,
         run: |_, number| Ok(Effect::Change(Change::Depth(number.to_owned()))),
     },
+    Command { name: "digits", argument: Argument::Decimals, run: digits },
     Command { name: "edit", argument: Argument::Nothing, run: |model, _| Ok(edit::object(model)) },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
     Command { name: "grow", argument: Argument::Nothing, run: |model, _| go(model, Walk::Grow) },
@@ -193,6 +197,20 @@ fn language(model: &mut Model, code: &str) -> Done {
         }
         None => Err(model.texts().commands.expected_language.to_owned()),
     }
+}
+
+/// Shows numbers with so many decimals.
+fn digits(model: &mut Model, text: &str) -> Done {
+    let texts = &model.texts().commands;
+    let Some(digits) = text.parse().ok().filter(|digits| *digits <= Style::MOST_DIGITS) else {
+        return Err((texts.expected_decimals)(Style::MOST_DIGITS));
+    };
+    model.numbers = model.numbers.with(digits);
+    model.say(&(texts.decimals)(digits));
+    // What was made is written with the others, and values are searched as they are shown.
+    model.understanding.listing = None;
+    search::renew(model);
+    Ok(Effect::None)
 }
 
 /// Another value of a parameter. A path has no blanks unless a name in it has: then it ends where the value begins, which is the last word.

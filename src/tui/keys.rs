@@ -161,7 +161,7 @@ pub fn rows() -> impl Iterator<Item = &'static Row> {
 /// What a key does in the viewer as it is now; `None` for a key that is only let go.
 pub fn meant(model: &Model, key: KeyEvent) -> Option<Action> {
     match action(&model.pending, key) {
-        Some(known @ (Interrupt | Suspend)) => Some(known),
+        Some(Suspend) => Some(Suspend),
         Some(_) if model.prompt.is_some() => Some(Typed(key)),
         action => in_list(model, key).or(action),
     }
@@ -197,8 +197,8 @@ pub fn action(pending: &Pending, key: KeyEvent) -> Option<Action> {
     }
 }
 
-/// The names of keys that aren't characters. Of several for one key the first is shown.
-const NAMES: [(&str, KeyCode); 14] = [
+/// The names of keys that aren't characters, also those of other programs. Of several for one key the first is shown.
+const NAMES: [(&str, KeyCode); 24] = [
     ("Space", KeyCode::Char(' ')),
     ("Up", KeyCode::Up),
     ("Down", KeyCode::Down),
@@ -212,7 +212,17 @@ const NAMES: [(&str, KeyCode); 14] = [
     ("Tab", KeyCode::Tab),
     ("Shift-Tab", KeyCode::BackTab),
     ("BackTab", KeyCode::BackTab),
+    ("S-Tab", KeyCode::BackTab),
     ("Esc", KeyCode::Esc),
+    ("Escape", KeyCode::Esc),
+    ("Return", KeyCode::Enter),
+    ("CR", KeyCode::Enter),
+    ("PageUp", KeyCode::PageUp),
+    ("PageDown", KeyCode::PageDown),
+    ("Backspace", KeyCode::Backspace),
+    ("BS", KeyCode::Backspace),
+    ("Delete", KeyCode::Delete),
+    ("Del", KeyCode::Delete),
 ];
 
 /// The name of a key, as the table has it.
@@ -248,8 +258,12 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
         ('^', Some(letter), None) => return Some(KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL)),
         _ => {}
     }
-    // As other programs write it: `C-d`.
-    if let Some(letter) = text.strip_prefix("C-").filter(|letter| letter.chars().count() == 1) {
+    // As other programs write it: `C-d`, `c-d`.
+    if let Some(letter) = text
+        .strip_prefix(['C', 'c'])
+        .and_then(|rest| rest.strip_prefix('-'))
+        .filter(|letter| letter.chars().count() == 1)
+    {
         return parse(&format!("^{letter}"));
     }
     match NAMES.iter().find(|(name, _)| *name == text) {

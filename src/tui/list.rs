@@ -1,11 +1,12 @@
 //! Moving in a list, going to the place of an entry and closing it: the same for all lists.
 
-use super::effect::{Effect, Exit};
+use super::effect::Effect;
 use super::keys::{Action, Walk};
 use super::listing::listing;
 use super::model::list::Kind;
 use super::model::{Model, Overlay};
 use super::{breakpoints, jumps, run, view};
+use ratatui::layout::Position;
 
 /// How many columns of the screen a list is scrolled at once.
 const STRIDE: usize = 8;
@@ -31,8 +32,12 @@ pub(super) fn update(
                 jumps::to_event(model, target);
             }
         }
-        (Action::Close | Action::Quit | Action::Out, _) => model.overlay = None,
-        (Action::Interrupt, _) => return Effect::Leave(Exit::Interrupted),
+        (Action::Close | Action::Quit | Action::Out | Action::Interrupt, _) => model.overlay = None,
+        (Action::Walk(Walk::Click(x, y)), _) => {
+            if let Some(row) = view::entry_at(model, (&listing, kind), selected, Position { x, y }) {
+                model.overlay = Some(Overlay::List { kind, selected: listing.off_headings(row, false), shift });
+            }
+        }
         (Action::Suspend, _) => return Effect::Suspend,
         (Action::Wider, _) => {
             let shift = shift.saturating_add(STRIDE * times).min(view::last_shift(model, &listing, kind));

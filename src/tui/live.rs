@@ -1,14 +1,15 @@
 //! What the viewer can ask of a scene that is traced while one looks, and how it shows the answers. A saved log has nobody to ask.
 
 use super::effect::{Change, Effect};
-use super::model::Model;
 use super::model::changed::Changed;
 use super::model::drawing::Drawing;
 use super::model::facts::Facts;
 use super::model::fold::Fold;
+use super::model::layout::Layout;
 use super::model::list::Kind;
-use super::model::picture::{Image, PictureView};
-use super::{bookmarks, jumps, prompt, search, understanding};
+use super::model::picture::{Image, PictureView, Wanted};
+use super::model::{Model, Pane};
+use super::{bookmarks, jumps, prompt, quiz, search, understanding};
 use crate::log::tree::Place;
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style;
@@ -23,8 +24,8 @@ pub trait Live {
     /// The log of another pixel, in the viewer's arithmetic.
     fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, Refusal>;
 
-    /// The picture as far as it is there, if there is more of it than when it was asked for last; `whole` waits for all of it.
-    fn picture(&mut self, _whole: bool) -> Option<Arc<Image>> {
+    /// The picture as far as it is there, if there is more of it than when it was asked for last; waits for what is wanted.
+    fn picture(&mut self, _wanted: Wanted) -> Option<Arc<Image>> {
         None
     }
 
@@ -45,6 +46,11 @@ pub trait Live {
     /// The log of the scene before its last change.
     fn before(&mut self, _subject: Subject) -> Result<Log, Refusal> {
         Err(Refusal::NothingChanged)
+    }
+
+    /// Whether the scene has files that may change.
+    fn is_watching(&self) -> bool {
+        false
     }
 
     /// The log of the scene if its files have changed since they were read; why it can't be read, if it can't.
@@ -171,9 +177,20 @@ fn show_changed(model: &mut Model, log: Log) -> String {
     }
 }
 
-/// Looks whether there is more of the picture; `whole` waits for all of it.
-pub(super) fn look(model: &mut Model, live: &mut Option<&mut dyn Live>, whole: bool) {
-    let Some(image) = live.as_mut().and_then(|live| live.picture(whole)) else { return };
+/// Waits for what is seen of the picture.
+pub(super) fn look_at_what_is_seen(model: &mut Model, live: &mut Option<&mut dyn Live>) {
+    let dots = Layout::dots(model.layout(model.size).area(Pane::Picture));
+    let Some(view) = model.picture.as_ref().filter(|_| !dots.is_empty()) else { return };
+    let seen = view.seen([dots.width.into(), 2 * u32::from(dots.height)]);
+    look(model, live, seen);
+    if let Some(view) = &mut model.picture {
+        view.is_finished = true;
+    }
+}
+
+/// Looks whether there is more of the picture, and waits for what is wanted.
+pub(super) fn look(model: &mut Model, live: &mut Option<&mut dyn Live>, wanted: Wanted) {
+    let Some(image) = live.as_mut().and_then(|live| live.picture(wanted)) else { return };
     if let (None, Some(live)) = (&model.drawing, live) {
         model.drawing = live.drawing();
     }
@@ -207,6 +224,7 @@ pub fn show_log(model: &mut Model, log: Log) {
     }
     model.guide.pace.is_playing = false;
     bookmarks::renew(model);
+    quiz::renew(model);
     search::renew(model);
     // The other tree may be smaller than what was scrolled past.
     let top = model.top.min(model.tree.nodes().len() - 1);

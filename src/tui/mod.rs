@@ -52,7 +52,7 @@ pub use model::drawing::{Drawing, PlaceOf, Projection, Wireframe};
 pub use model::guide::Guide;
 pub use model::jumps::Spot;
 pub use model::list::{Entry, Kind, Listing};
-pub use model::picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
+pub use model::picture::{COARSEST, Dot, Image, Layer, Levels, PictureView, Wanted};
 pub use model::prompt::{Message, Prompt, Purpose};
 pub use model::understanding::{Quiz, Understanding};
 pub use model::{Model, Overlay, Pane, Pending};
@@ -99,6 +99,8 @@ pub struct Outcome {
     pub position: Position,
     /// Its language at the end.
     pub language: Language,
+    /// How numbers were shown at the end.
+    pub numbers: Numbers,
 }
 
 /// A place in a log that a link can lead back to.
@@ -114,10 +116,10 @@ pub struct Position {
 pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::Result<Outcome> {
     let theme = options.theme;
     let mut model = opened(log, &options);
-    live::look(&mut model, &mut live, false);
+    live::look(&mut model, &mut live, Wanted::Latest);
     let mut terminal = Terminal::enter()?;
     let exit = show(&mut model, &mut terminal, &mut live, &theme).or_else(|error| terminal.left_by(error))?;
-    Ok(Outcome { exit, position: position(&model), language: model.language })
+    Ok(Outcome { exit, position: position(&model), language: model.language, numbers: model.numbers })
 }
 
 /// How often the files of the scene are looked at.
@@ -135,7 +137,7 @@ fn show(
         terminal.draw(|buffer| view::draw(model, theme, buffer))?;
         terminal.use_mouse(model.guide.has_mouse)?;
         let waits = model.picture.as_ref().is_some_and(|view| !view.is_finished) || search::is_looking(model);
-        let looks = live.is_some().then_some(LOOKS);
+        let looks = live.as_ref().is_some_and(|live| live.is_watching()).then_some(LOOKS);
         let mut input = Some(terminal.next(waits, play::interval(model).or(looks))?);
         while let Some(now) = input {
             if let Some(exit) = react(model, terminal, live, theme, now)? {
@@ -151,6 +153,7 @@ pub fn opened(log: Log, options: &Options) -> Model {
     let mut model = Model::new(log);
     model.numbers = options.numbers;
     model.language = options.language;
+    model.is_ascii = options.theme.is_ascii();
     if let Some(note) = &options.note {
         model.say(note);
     }
@@ -183,7 +186,7 @@ pub fn opened_with_keys(
     (width, height): (u16, u16),
 ) -> Model {
     let mut model = opened(log, options);
-    live::look(&mut model, &mut live, false);
+    live::look(&mut model, &mut live, Wanted::Latest);
     update(&mut model, Action::Resize(width, height));
     for typed in keys::script(keys) {
         let key = match typed {
@@ -198,9 +201,7 @@ pub fn opened_with_keys(
         }
     }
     search::finish(&mut model);
-    if !model.layout(model.size).area(Pane::Picture).is_empty() {
-        live::look(&mut model, &mut live, true);
-    }
+    live::look_at_what_is_seen(&mut model, &mut live);
     model
 }
 
@@ -226,7 +227,7 @@ fn react(
     match input {
         Input::Leave(exit) => return Ok(Some(exit)),
         Input::Tick => {
-            live::look(model, live, false);
+            live::look(model, live, Wanted::Latest);
             search::look_on(model);
         }
         Input::Suspend => suspend(model, terminal, Asker::Signal)?,

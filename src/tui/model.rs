@@ -6,7 +6,7 @@ pub mod drawing;
 pub mod facts;
 pub mod fold;
 pub mod guide;
-mod hidden;
+pub mod hidden;
 pub mod history;
 pub mod jumps;
 pub mod layout;
@@ -77,8 +77,12 @@ pub struct Model {
     pub overlay: Option<Overlay>,
     /// The line that is being typed.
     pub prompt: Option<Prompt>,
-    /// What is said at the bottom.
+    /// What is said at the bottom until the next key.
     pub message: Option<Message>,
+    /// What is warned of until it is dismissed; a message hides it.
+    pub warning: Option<Message>,
+    /// Whether only ASCII characters are drawn.
+    pub is_ascii: bool,
     /// How numbers are shown.
     pub numbers: Numbers,
     /// What the viewer speaks.
@@ -150,6 +154,8 @@ impl Model {
             overlay: None,
             prompt: None,
             message: None,
+            warning: None,
+            is_ascii: false,
             numbers: Numbers::default(),
             language: Language::default(),
             others: Vec::new(),
@@ -202,16 +208,14 @@ impl Model {
         if self.log.events.is_empty() { 0 } else { self.event + 1 }
     }
 
-    /// Says something until the next key. A warning that nobody dismissed stays instead.
+    /// Says something until the next key. A warning that nobody dismissed comes back after it.
     pub fn say(&mut self, text: &str) {
-        if self.message.as_ref().is_none_or(|message| !message.is_warning) {
-            self.message = Some(Message { text: text.to_owned(), is_warning: false });
-        }
+        self.message = Some(Message { text: text.to_owned(), is_warning: false });
     }
 
     /// Says something until it is dismissed.
     pub fn warn(&mut self, text: &str) {
-        self.message = Some(Message { text: text.to_owned(), is_warning: true });
+        self.warning = Some(Message { text: text.to_owned(), is_warning: true });
     }
 
     /// Where the panes lie on a screen of this many columns and rows.

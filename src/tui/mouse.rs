@@ -5,6 +5,7 @@ use super::jumps;
 use super::keys::{Action, Walk};
 use super::model::layout::Layout;
 use super::model::{Model, Pane};
+use crate::log::tree::Item;
 use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
 use ratatui::layout::Position;
 
@@ -22,9 +23,7 @@ pub(super) fn meant(model: &Model, event: MouseEvent) -> Option<Action> {
         MouseEventKind::ScrollUp if is_covered => Some(Action::Up),
         MouseEventKind::ScrollDown => Some(Action::Walk(Walk::Wheel(NOTCH, event.column, event.row))),
         MouseEventKind::ScrollUp => Some(Action::Walk(Walk::Wheel(-NOTCH, event.column, event.row))),
-        MouseEventKind::Down(MouseButton::Left) if !is_covered => {
-            Some(Action::Walk(Walk::Click(event.column, event.row)))
-        }
+        MouseEventKind::Down(MouseButton::Left) => Some(Action::Walk(Walk::Click(event.column, event.row))),
         _ => None,
     }
 }
@@ -37,19 +36,23 @@ pub(super) fn toggle(model: &mut Model) {
     model.say(now);
 }
 
-/// Selects the row of the tree that was clicked, the pixel of the picture, or the pane.
-pub(super) fn click(model: &mut Model, x: u16, y: u16) -> Effect {
+/// Selects the row of the tree that was clicked, what of the computation is there, the pixel of the picture, or the pane.
+pub(super) fn click(model: &mut Model, at: Position, computed: Option<Item>) -> Effect {
     let layout = model.layout(model.size);
-    let at = Position { x, y };
     focus(model, at);
     let body = Layout::body(layout.area(Pane::Tree));
     if body.contains(at) {
-        let below = usize::from(y - body.y);
+        let below = usize::from(at.y - body.y);
         let (row, count) = model.fold.down(&model.tree, model.top, below);
         // Below the last row there is nothing to select.
         if count == below {
             model.go_to_node(row);
         }
+    }
+    match computed {
+        Some(Item::Event(event)) => model.event = event,
+        Some(Item::Node(node)) => model.go_to_node(node),
+        None => {}
     }
     let Some(pixel) = pixel_at(model, &layout, at) else { return Effect::None };
     jumps::remember(model);

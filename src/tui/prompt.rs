@@ -7,7 +7,7 @@ use super::model::prompt::{Prompt, Purpose};
 use super::{breakpoints, command, quiz, search};
 use crate::files::escape::escape_hidden;
 use crate::report::words::plain;
-use crossterm::event::{Event, KeyCode, KeyEvent};
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use std::collections::HashMap;
 use tui_input::Input;
 use tui_input::backend::crossterm::EventHandler;
@@ -15,29 +15,28 @@ use tui_input::backend::crossterm::EventHandler;
 /// Puts a pasted text into the line, whatever its characters would do as keys: ends of lines become blanks, and what isn't seen is shown
 /// as messages show it. Where no line is typed it does nothing.
 pub(super) fn pasted(model: &mut Model, text: &str) {
-    dismiss_message(model);
+    model.message = None;
     let Some(prompt) = &mut model.prompt else { return model.say(model.texts().messages.pasted_nowhere) };
+    prompt.line = with_pasted(&prompt.line, text);
+}
+
+/// A line with a text at its cursor.
+pub(super) fn with_pasted(typed: &Input, text: &str) -> Input {
     let text = text.replace("\r\n", " ").replace(['\r', '\n', '\t'], " ");
-    let (line, cursor) = (prompt.line.value(), prompt.line.cursor());
+    let (line, cursor) = (typed.value(), typed.cursor());
     let at = line.char_indices().nth(cursor).map_or(line.len(), |(at, _)| at);
     let before = format!("{}{}", &line[..at], escape_hidden(&text));
     let cursor = before.chars().count();
-    prompt.line = Input::new(before + &line[at..]).with_cursor(cursor);
+    Input::new(before + &line[at..]).with_cursor(cursor)
 }
 
-/// The message goes with the next key; the warning that it hid comes back.
-fn dismiss_message(model: &mut Model) {
-    model.message.take_if(|message| !message.is_warning);
-    let warning = model.prompt.as_mut().and_then(|prompt| prompt.warning.take());
-    model.message = warning.or(model.message.take());
-}
-
-/// Does what a key does to the line: `Enter` ends it, unless something is wrong with it, and `Esc` forgets it.
+/// Does what a key does to the line: `Enter` ends it, unless something is wrong with it, and `Esc` or `^C` forgets it.
 pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
-    dismiss_message(model);
+    model.message = None;
     let Some(prompt) = &mut model.prompt else { return Effect::None };
     match key.code {
         KeyCode::Esc => model.prompt = None,
+        KeyCode::Char('c') if key.modifiers.contains(KeyModifiers::CONTROL) => model.prompt = None,
         KeyCode::Backspace if prompt.line.value().is_empty() => model.prompt = None,
         KeyCode::Tab if prompt.purpose == Purpose::Command && command::is_of_parameter(prompt.line.value()) => {
             return Effect::Complete;
@@ -61,8 +60,7 @@ fn finish(model: &mut Model) -> Effect {
     done(model, prompt.purpose, &text).unwrap_or_else(|why| {
         // It is the latest of the lines now; `Up` leads to the one before, and `Down` back to it as it was mended.
         let tried = usize::from(model.guide.history.before(prompt.purpose, 1).is_some_and(|(_, line)| line == text));
-        let warning = model.message.take();
-        model.prompt = Some(Prompt { recalled: 0, left: HashMap::new(), tried, warning, ..prompt });
+        model.prompt = Some(Prompt { recalled: 0, left: HashMap::new(), tried, ..prompt });
         model.say(&why);
         Effect::None
     })

@@ -1,4 +1,5 @@
-//! Searching: in names, symbols, titles, the words of decisions and the values as they are shown; and the filter of the tree.
+//! Searching in all that is shown: names, symbols, formulas, titles, values and inputs, decisions in the words of the computation and of the
+//! tree and with their numbers; and the filter of the tree.
 //!
 //! A text that was typed is looked for from the current step on until it is found, and in what is left slice by slice while
 //! nothing else is to be done. A text is made only where one is looked into, and what was found out about each name and node
@@ -8,89 +9,139 @@ use super::jumps;
 use super::model::Model;
 use super::model::search::{Pattern, Search};
 use super::text::ascii;
-use crate::log::{Log, Name, Step, Tree, Value, What};
-use crate::report::language::Language;
+use crate::log::{Decision, Name, Step, Value, What};
 use crate::report::number::RAISED;
-use crate::report::{Style, words};
+use crate::report::{self, path_class, words};
 use std::collections::HashMap;
 
 /// Tells which events match, and remembers what it was asked before.
 struct Matcher<'a> {
-    log: &'a Log,
-    tree: &'a Tree,
-    numbers: Style,
-    language: Language,
+    /// What tells also which events are hidden: a search for values or decisions would find out what a quiz hides.
+    model: &'a Model,
     pattern: &'a Pattern,
     names: HashMap<Name, bool>,
     steps: HashMap<Step, bool>,
-    /// What tells which events are hidden: a search for values or decisions would find out what a quiz hides.
-    in_quiz: Option<&'a Model>,
     could_be_number: bool,
     could_be_path: bool,
+    could_be_class: bool,
+    /// Whether it may be a part of a formula, and not only of a symbol.
+    could_be_formula: bool,
+    /// Whether it may be a part of `T2_A = 6.304`.
+    could_be_equation: bool,
+    /// Whether it may be a part of `T2_A ≥ 0: 6.304 ≥ 0` that no value has: what compares is evaluated only then.
+    could_be_comparison: bool,
+    /// Whether the word for a light that isn't blocked has it.
+    is_lit: bool,
+    is_in_quiz: bool,
 }
 
 impl Matcher<'_> {
     fn new<'a>(model: &'a Model, pattern: &'a Pattern) -> Matcher<'a> {
+        let could_be_number = pattern.is_made_of(&format!("0123456789.-·{RAISED}(),; naNif"));
         Matcher {
-            log: &model.log,
-            tree: &model.tree,
-            numbers: model.numbers,
-            language: model.language,
+            model,
             pattern,
             names: HashMap::new(),
             steps: HashMap::new(),
-            in_quiz: model.understanding.quiz.is_some().then_some(model),
-            could_be_number: pattern.is_made_of(&format!("0123456789.-·{RAISED}(),; naNif")),
+            could_be_number,
             could_be_path: pattern.is_made_of("CRTScrts0123456789. ay"),
+            could_be_class: pattern.is_made_of(&format!("LDSEAB(|){RAISED}")),
+            could_be_formula: pattern.has_any(" +−-·*/√²∘×⊘^()|[]Σ"),
+            could_be_equation: pattern.has_any("="),
+            could_be_comparison: pattern.has_any("<>≤≥=≠"),
+            is_lit: pattern.is_in(model.texts().panes.outcomes.lit),
+            is_in_quiz: model.understanding.quiz.is_some(),
         }
     }
 
     fn matches(&mut self, event: usize) -> bool {
-        match &self.log.events[event].what {
-            What::Note { name, value } => self.has_name(*name) || self.has_value(event, value),
+        let model = self.model;
+        let happening = &model.log.events[event];
+        let is_found = match &happening.what {
+            What::Note { name, value } => self.has_name(*name) || self.has_value(event, *name, value),
             What::Result { color } => {
-                self.pattern.is_in(self.language.texts().result) || self.has_value(event, &Value::Triple(*color))
+                let is_value = || self.could_be_number && self.pattern.is_in(&model.color(*color));
+                self.pattern.is_in(model.language.texts().result) || (!self.is_hidden(event) && is_value())
             }
-            What::Mark(_) if self.is_hidden(event) => false,
-            What::Mark(decision) => {
-                self.pattern.is_in(&words::decision(self.language, &self.log.header, decision, self.numbers))
-            }
-            What::Enter { step, .. } => self.has_step(self.tree.owner(event), *step),
-            What::Leave => false,
-        }
+            What::Mark(decision) => !self.is_hidden(event) && self.has_decision(event, decision),
+            What::Enter { step, .. } => self.has_step(model.tree.owner(event), *step),
+            What::Leave => self.is_lit && !self.is_later(event) && model.is_lit(model.tree.owner(event)),
+        };
+        let is_marked = || {
+            let marker = report::digits::marker(model.language, &model.log, &model.tree, event);
+            !marker.is_empty() && !self.is_hidden(event) && self.pattern.is_in(&marker)
+        };
+        is_found || is_marked() || self.has_given(event)
     }
 
     fn has_name(&mut self, name: Name) -> bool {
-        let pattern = self.pattern;
-        let symbol = name.symbol();
-        *self
-            .names
-            .entry(name)
-            .or_insert_with(|| pattern.is_in(name.key()) || pattern.is_in(symbol) || pattern.is_in(&ascii(symbol)))
+        let (pattern, symbol) = (self.pattern, name.symbol());
+        let is_in = |text: &str| pattern.is_in(text) || pattern.is_in(&ascii(text));
+        let formula = name.formula().filter(|_| self.could_be_formula);
+        let found = || pattern.is_in(name.key()) || is_in(symbol) || formula.is_some_and(is_in);
+        *self.names.entry(name).or_insert_with(found)
     }
 
     fn is_hidden(&self, event: usize) -> bool {
-        self.in_quiz.is_some_and(|model| model.hides(event))
+        self.is_in_quiz && self.model.hides(event)
     }
 
-    fn has_value(&self, event: usize, value: &Value) -> bool {
-        self.could_be_number && !self.is_hidden(event) && self.pattern.is_in(&self.language.value(value, self.numbers))
+    /// Whether a quiz hides it because it comes after the current step.
+    fn is_later(&self, event: usize) -> bool {
+        self.is_in_quiz && event > self.model.event
+    }
+
+    fn has_value(&self, event: usize, name: Name, value: &Value) -> bool {
+        (self.could_be_number || self.could_be_equation) && !self.is_hidden(event) && self.is_value(name, value)
+    }
+
+    /// Whether it is in `S_c = (17, 9, 8)`.
+    fn is_value(&self, name: Name, value: &Value) -> bool {
+        let value = self.model.value(value);
+        let equation = || format!("{} = {value}", name.symbol());
+        if self.could_be_equation { self.pattern.is_in(&equation()) } else { self.pattern.is_in(&value) }
+    }
+
+    /// Whether an input that is stated before an event has it: its name, or its value as it is shown.
+    fn has_given(&mut self, event: usize) -> bool {
+        let model = self.model;
+        let given = model.log.given(event);
+        if given.is_empty() || self.is_in_quiz && model.hides_operands(event) {
+            return false;
+        }
+        let could_be_value = self.could_be_number || self.could_be_equation;
+        given.iter().any(|(name, value)| self.has_name(*name) || (could_be_value && self.is_value(*name, value)))
+    }
+
+    /// Whether the words of a decision have it, in a computation or in a row of the tree, or the numbers that decided.
+    fn has_decision(&self, event: usize, decision: &Decision) -> bool {
+        let (model, pattern) = (self.model, self.pattern);
+        let numbers = || report::notation::line(model.language, &model.log, &model.tree, event, model.numbers);
+        pattern.is_in(&model.decision(decision))
+            || model.outcome(decision).is_some_and(|words| pattern.is_in(&words))
+            || (self.could_be_comparison && numbers().is_some_and(|numbers| pattern.is_in(&numbers)))
     }
 
     fn has_step(&mut self, node: usize, step: Step) -> bool {
-        let (log, tree, pattern, language) = (self.log, self.tree, self.pattern, self.language);
-        let title = || words::title(language, log, tree, node);
-        match step {
-            // The title of a ray has its path, which no other ray has.
-            Step::Ray { .. } if self.could_be_path && pattern.is_in(&title()) => true,
-            Step::Ray { kind, .. } => {
-                let alike = Step::Ray { kind, depth: 0, split: 0 };
-                let ray = language.texts().viewer.panes.ray;
-                let is_in = || pattern.is_in(&ray(&words::ray_kind(language, &log.header, kind)));
-                *self.steps.entry(alike).or_insert_with(is_in)
-            }
-            step => *self.steps.entry(step).or_insert_with(|| pattern.is_in(&title())),
+        let (model, pattern) = (self.model, self.pattern);
+        let title = || model.title(node);
+        let Step::Ray { kind, .. } = step else {
+            return *self.steps.entry(step).or_insert_with(|| pattern.is_in(&title()));
+        };
+        // The title of a ray has its path, which no other ray has; in a row of the tree it is before what the ray is for.
+        let kind_of = || words::ray_kind(model.language, &model.log.header, kind);
+        let has_path = pattern.begins_with_any("CRTSa0123456789")
+            && pattern.is_in(&format!("{} {}", model.tree.shown_path(node), kind_of()));
+        let class = || path_class::of_ray(&model.log, &model.tree, node).is_some_and(|class| pattern.is_in(&class));
+        if has_path
+            || (self.could_be_path && pattern.is_in(&title()))
+            || (self.could_be_class && !self.is_in_quiz && class())
+        {
+            return true;
         }
+        let alike = Step::Ray { kind, depth: 0, split: 0 };
+        let is_in = || pattern.is_in(&(model.texts().panes.ray)(&kind_of()));
+        *self.steps.entry(alike).or_insert_with(is_in)
     }
 }
 

@@ -19,20 +19,31 @@ use ratatui::backend::CrosstermBackend;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use raywalk_guard::{hold_terminal, release_terminal};
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use rustix::io::Errno;
 use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
-use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
-use signal_hook::{flag, low_level};
+use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
+use signal_hook::{SigId, flag, low_level};
 use std::cell::Cell;
-use std::io::{self, IsTerminal, Stdout, Write};
+use std::fs::File;
+use std::io::{self, IsTerminal, Read, Stdout, Write};
 use std::mem::ManuallyDrop;
+use std::os::fd::AsFd;
+use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::process::Command;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Once};
 use std::time::{Duration, Instant};
 
-/// How long to wait for a key before looking for signals again.
+/// How long to wait for a key where something is to be done meanwhile.
 const TICK: Duration = Duration::from_millis(50);
+
+/// How long to wait where nothing is, until it is looked whether the terminal is still there.
+const LONGEST: Duration = Duration::from_secs(1);
+
+/// How long to wait for what has already come: keys are read only where one waits for them.
+const AT_ONCE: Duration = Duration::from_millis(1);
 
 /// The terminal in the viewer's modes. Dropping it restores the terminal.
 pub(super) struct Terminal {
@@ -93,6 +104,7 @@ impl Terminal {
     pub(super) fn next(&mut self, ticks: bool, interval: Option<Duration>) -> io::Result<Input> {
         let latest = interval.map(|interval| Instant::now() + interval);
         self.due = latest.map(|latest| self.due.map_or(latest, |due| due.min(latest)));
+        let mut has_waited = false;
         loop {
             if let Some(input) = self.signals.take() {
                 return Ok(input);
@@ -106,12 +118,15 @@ impl Terminal {
                 self.due = None;
                 return Ok(Input::Beat);
             }
-            match read(left.map_or(TICK, |left| left.min(TICK))) {
+            match read(AT_ONCE) {
                 Ok(Some(input)) => return Ok(input),
-                Ok(None) if ticks => return Ok(Input::Tick),
+                Ok(None) if has_waited && ticks => return Ok(Input::Tick),
                 Ok(None) => {}
                 Err(error) => return self.left_by(error).map(Input::Leave),
             }
+            let longest = if ticks { TICK } else { LONGEST };
+            self.signals.wait(left.map_or(longest, |left| left.min(longest)))?;
+            has_waited = true;
         }
     }
 
@@ -129,7 +144,7 @@ impl Terminal {
     pub(super) fn next_at_once(&mut self) -> io::Result<Option<Input>> {
         match self.signals.take() {
             Some(input) => Ok(Some(input)),
-            None => read(Duration::from_millis(1)),
+            None => read(AT_ONCE),
         }
     }
 
@@ -282,6 +297,12 @@ fn restore_before_panic_messages() {
 
 /// The signals that have come. While the viewer runs they only leave a note here; after it they act as usual again.
 struct Signals {
+    /// Where keys come from.
+    keys: File,
+    /// Has something to read when a signal has come.
+    wakes: UnixStream,
+    /// What writes there.
+    writers: Vec<SigId>,
     leave: Arc<AtomicUsize>,
     suspend: Arc<AtomicBool>,
     resume: Arc<AtomicBool>,
@@ -290,8 +311,17 @@ struct Signals {
 
 impl Signals {
     fn watch() -> io::Result<Signals> {
-        let signals =
-            Signals { leave: Arc::default(), suspend: Arc::default(), resume: Arc::default(), is_over: Arc::default() };
+        let (wakes, writer) = UnixStream::pair()?;
+        wakes.set_nonblocking(true)?;
+        let mut signals = Signals {
+            keys: keyboard()?,
+            wakes,
+            writers: Vec::new(),
+            leave: Arc::default(),
+            suspend: Arc::default(),
+            resume: Arc::default(),
+            is_over: Arc::default(),
+        };
         for signal in [SIGTERM, SIGINT, SIGHUP, SIGQUIT] {
             flag::register_conditional_default(signal, Arc::clone(&signals.is_over))?;
             flag::register_usize(signal, Arc::clone(&signals.leave), signal as usize)?;
@@ -299,7 +329,28 @@ impl Signals {
         flag::register_conditional_default(SIGTSTP, Arc::clone(&signals.is_over))?;
         flag::register(SIGTSTP, Arc::clone(&signals.suspend))?;
         flag::register(SIGCONT, Arc::clone(&signals.resume))?;
+        // After the notes above: who is woken finds them.
+        for signal in [SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH] {
+            signals.writers.push(low_level::pipe::register(signal, writer.try_clone()?)?);
+        }
         Ok(signals)
+    }
+
+    /// Waits until there is something to read, a signal comes, or the time is over; of a terminal that is gone at most for a moment.
+    fn wait(&self, longest: Duration) -> io::Result<()> {
+        let mut sources = [PollFd::new(&self.keys, PollFlags::IN), PollFd::new(&self.wakes, PollFlags::IN)];
+        let until = Timespec::try_from(longest).ok();
+        match poll(&mut sources, until.as_ref()) {
+            Ok(_) | Err(Errno::INTR) => {}
+            Err(error) => return Err(error.into()),
+        }
+        let gone = PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL;
+        if sources[0].revents().intersects(gone) && !is_gone() {
+            std::thread::sleep(TICK.min(longest));
+        }
+        let mut wakes = &self.wakes;
+        while wakes.read(&mut [0; 64]).is_ok_and(|count| count > 0) {}
+        Ok(())
     }
 
     fn take(&self) -> Option<Input> {
@@ -326,5 +377,17 @@ impl Signals {
 impl Drop for Signals {
     fn drop(&mut self) {
         self.is_over.store(true, Ordering::SeqCst);
+        for writer in self.writers.drain(..) {
+            low_level::unregister(writer);
+        }
     }
+}
+
+/// Where keys come from: the terminal at standard input, or else the one that this process belongs to.
+fn keyboard() -> io::Result<File> {
+    let input = io::stdin();
+    if input.is_terminal() {
+        return Ok(File::from(input.as_fd().try_clone_to_owned()?));
+    }
+    File::open("/dev/tty")
 }

@@ -13,6 +13,13 @@ pub(super) fn textbook() -> Log {
     record::pixel(&scene(text), [160, 120], Arithmetic::Decimal(3))
 }
 
+/// A built-in scene's middle pixel in this arithmetic.
+pub(super) fn log_of(name: &str, arithmetic: Arithmetic) -> Log {
+    let scene = scene(builtin::text(name).unwrap_or_default());
+    let [width, height] = scene.camera.resolution;
+    record::pixel(&scene, [width / 2, height / 2], arithmetic)
+}
+
 /// A glass ball before a mirror, with a lamp in front and one that the ball hides; it goes eight levels deep.
 pub(super) fn glass() -> Log {
     let text = r#"{
@@ -29,6 +36,15 @@ pub(super) fn glass() -> Log {
                   {"name": "wall", "shape": {"plane": {"coefficients": [0, 0, 1, 5]}}, "material": "mirror"}],
       "tracing": {"max_depth": 8}}"#;
     record::pixel(&scene(text), [1, 1], Arithmetic::F64)
+}
+
+/// A wall with a lamp on its other side.
+pub(super) fn lit_from_behind() -> Log {
+    let text = r#"{
+      "format": "raywalk-scene/1", "name": "behind", "camera": {"position": [0, 0, 5], "direction": [0, 0, -1]},
+      "lights": [{"name": "lamp", "point": {"position": [0, 1, -5]}}],
+      "objects": [{"name": "wall", "shape": {"plane": {"coefficients": [0, 0, 1, 0]}}}]}"#;
+    record::pixel(&scene(text), [160, 120], Arithmetic::F64)
 }
 
 /// A ray that hits a disk and a polygon behind it, which name more quantities after the distance.

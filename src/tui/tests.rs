@@ -6,6 +6,7 @@ mod lines;
 mod lists;
 mod messages;
 mod places;
+mod rows;
 mod stepping;
 
 use super::dump::dump;
@@ -123,7 +124,11 @@ fn leaving() {
     let mut model = sized(textbook(), 100, 30);
     assert_eq!(typed(&mut model, "?q"), Effect::None);
     assert_eq!(typed(&mut model, "q"), Effect::Leave(Exit::Quit));
-    assert_eq!(typed(&mut model, "?^c"), Effect::Leave(Exit::Interrupted));
+    // What lies over the panes, and a line, are closed by it first.
+    assert_eq!((typed(&mut model, "?^c"), model.overlay), (Effect::None, None));
+    assert_eq!((typed(&mut model, "w^c"), model.overlay), (Effect::None, None));
+    assert_eq!((typed(&mut model, "/ab^c"), model.prompt.is_none()), (Effect::None, true));
+    assert_eq!(typed(&mut model, "^c"), Effect::Leave(Exit::Interrupted));
     assert_eq!(typed(&mut model, "Esc ^z"), Effect::Suspend);
 }
 
@@ -139,10 +144,20 @@ fn warnings_stay_until_they_are_dismissed() {
     };
     let mut model = opened(textbook(), &options);
     assert_eq!(model.step(), model.log.events.len());
+    let bottom =
+        |model: &Model| dump(&frame(model, 100, 30, &options.theme)).lines().nth(29).unwrap_or_default().to_owned();
     typed(&mut model, "ppp");
-    assert!(model.message.as_ref().is_some_and(|message| message.is_warning));
+    assert!(bottom(&model).ends_with("warning: cut off"), "{}", bottom(&model));
+    // What a key answers hides it until the next one.
+    typed(&mut model, "b");
+    typed(&mut model, "nonsense Enter");
+    assert!(bottom(&model).starts_with("break at: ") && model.message.is_some(), "{}", bottom(&model));
+    typed(&mut model, "Esc y");
+    assert!(bottom(&model).contains("sent to the terminal's clipboard: "), "{}", bottom(&model));
+    typed(&mut model, "p");
+    assert!(bottom(&model).ends_with("warning: cut off"), "{}", bottom(&model));
     typed(&mut model, "Esc");
-    assert_eq!(model.message, None);
+    assert_eq!((&model.message, &model.warning), (&None, &None));
 }
 
 #[test]

@@ -24,13 +24,14 @@ impl Live for Fake {
         Ok(of_pixel(glass(), pixel))
     }
 
-    fn picture(&mut self, _whole: bool) -> Option<Arc<Image>> {
+    fn picture(&mut self, _wanted: Wanted) -> Option<Arc<Image>> {
         let levels = |color: [f64; 3], stops: f64| color.map(|x| (x * libm::exp2(stops)).min(255.0) as u8);
         let mut image = Image::empty([8, 6], Arc::new(levels));
         for (number, dot) in image.dots.iter_mut().enumerate() {
             let (x, y) = ((number % 8) as f64, (number / 8) as f64);
             let color = [20.0 * x, 30.0 * y, 100.0];
-            *dot = Some(Dot { color, depth: Some(x), rays: number as u32, samples: 1, error: Some(0.0) });
+            *dot =
+                Some(Dot { color, depth: Some(x), rays: number as u32, samples: 1, error: Some(0.0), is_rough: false });
         }
         Some(Arc::new(image))
     }
@@ -64,7 +65,7 @@ fn after(keys: &str, size: (u16, u16)) -> (Model, Vec<[u32; 2]>) {
     let mut model = sized(of_pixel(glass(), [3, 2]), size.0, size.1);
     {
         let mut live: Option<&mut dyn Live> = Some(&mut fake);
-        live::look(&mut model, &mut live, false);
+        live::look(&mut model, &mut live, Wanted::Latest);
         model.focus_on(Pane::Picture);
         for key in sequence(keys) {
             if let Some(action) = super::keys::meant(&model, key) {
@@ -276,4 +277,20 @@ fn a_ray_that_hits_nothing_is_drawn_and_a_log_without_rays_says_so() {
         assert!(!text.contains("no rays") && text.lines().take(24).any(|line| line.contains('C')), "{keys}:\n{text}");
     }
     assert!(shown(nested("(.)"), "").contains("the log has no rays here"));
+}
+
+/// While the tree grows, the line below the picture keeps the colour back until it is computed.
+#[test]
+fn a_growing_tree_keeps_the_colour_back() {
+    let below = |keys: &str| {
+        let (model, _) = after(keys, (140, 40));
+        let text = dump(&frame(&model, 140, 40, &Theme::new(Palette::None, false)));
+        text.lines()
+            .find(|line| line.starts_with("3,2"))
+            .map(|line| line.split('│').next().unwrap_or_default().trim().to_owned())
+    };
+    let told = below("").expect("the line of the pixel");
+    assert!(told.contains("8-bit"), "{told}");
+    assert_eq!(below("t").as_deref(), Some("3,2"));
+    assert_eq!(below("t$"), Some(told));
 }

@@ -7,9 +7,10 @@ use super::model::list::Kind;
 use super::model::prompt::{Prompt, Purpose};
 use super::model::{Model, Overlay, Pane};
 use super::steps::{self, Stop};
-use super::view::help;
+use super::view::{self, help};
 use super::{jumps, list, mouse, panes, play, prompt, quiz, understanding, walk};
 use crate::log::tree::Item;
+use ratatui::layout::Position;
 
 /// Does an action.
 pub fn update(model: &mut Model, action: Action) -> Effect {
@@ -25,6 +26,7 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
         Action::Typed(key) => effect = prompt::typed(model, key),
         _ => effect = by_key(model, action),
     }
+    quiz::visit(model);
     keep_in_view(model);
     effect
 }
@@ -35,7 +37,7 @@ const MOST: u32 = 1_000_000_000;
 /// Does the action of a whole key, with the count typed before it.
 fn by_key(model: &mut Model, action: Action) -> Effect {
     let count = std::mem::take(&mut model.pending).count;
-    if action != Action::Close && model.message.as_ref().is_some_and(|message| !message.is_warning) {
+    if action != Action::Close {
         model.message = None;
     }
     match model.overlay {
@@ -98,6 +100,11 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
             let action = mouse::wheel(model, rows, x, y);
             return in_panes(model, action, Some(u32::from(rows.unsigned_abs())));
         }
+        Action::Walk(Walk::Click(x, y)) => {
+            let at = Position { x, y };
+            let computed = view::item_at(model, model.layout(model.size).area(Pane::Computation), at);
+            return mouse::click(model, at, computed);
+        }
         Action::Walk(walk) => return walk::update(model, walk, count),
         Action::Quit => return Effect::Leave(Exit::Quit),
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
@@ -114,11 +121,10 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
 fn in_help(model: &mut Model, action: Action, top: usize, count: Option<u32>) -> Effect {
     match action {
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Help)),
-        Action::Close | Action::Help | Action::Quit => {
+        Action::Close | Action::Help | Action::Quit | Action::Interrupt => {
             model.overlay = None;
             return Effect::None;
         }
-        Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
         _ => {}
     }

@@ -42,8 +42,7 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
         Walk::Command => model.prompt = Some(Prompt::new(Purpose::Command)),
         Walk::Mouse => mouse::toggle(model),
         Walk::Edit => return edit::object(model),
-        Walk::Click(x, y) => return mouse::click(model, x, y),
-        Walk::Wheel(..) | Walk::Tick | Walk::Delete => {}
+        Walk::Click(..) | Walk::Wheel(..) | Walk::Tick | Walk::Delete => {}
     }
     Effect::None
 }
@@ -59,7 +58,7 @@ fn step_by(model: &mut Model, step: Step, times: usize) {
 
 /// Ends the latest of what can be ended: the message, playing, the search, the filter.
 pub(super) fn close(model: &mut Model) {
-    if model.message.take().is_some() {
+    if model.message.take().is_some() || model.warning.take().is_some() {
     } else if model.guide.pace.is_playing {
         model.guide.pace.is_playing = false;
     } else if model.guide.search.take().is_none() {

@@ -66,6 +66,47 @@ fn differences_are_gone_through_in_both_directions() {
     assert_eq!(at("gjjk"), at("gj"));
 }
 
+/// Counts, the search, commands and the help do what they do in the viewer.
+#[test]
+fn keys_of_the_viewer_mean_the_same() {
+    let logs = [textbook(Arithmetic::Decimal(3)), textbook(Arithmetic::F64)];
+    let theme = Theme::new(Palette::None, false);
+    let frame = |keys: &str, size| frame_after(&logs, keys, size, &theme);
+    let at = |keys: &str| frame(keys, (120, 30)).lines().nth(29).expect("a bottom line").to_owned();
+    assert_eq!(at("5j"), at("jjjjj"));
+    assert_eq!(at("20n"), at("nnnnnnnnnnnnnnnnnnnn"));
+    assert_eq!(at("20n 19N"), at("n"));
+    assert!(at("12G").starts_with("row 12/") && at(":12<CR>").starts_with("row 12/"));
+    assert!(frame("?", (120, 30)).contains("find in both logs"));
+    assert_eq!(at("? j"), at(""), "any key closes the help");
+    // The search goes through both logs, around the end.
+    let found = at("/T2_A<CR>");
+    let of_cursor = frame("/T2_A<CR>", (120, 30));
+    assert!(of_cursor.contains("T2_A: ") && found != at(""), "{of_cursor}");
+    assert_eq!(at("/T2_A<CR>;,"), found);
+    assert!(at("/nowhere<CR>").contains("not found: nowhere"));
+    assert!(at(":nonsense<CR>").contains("expected a row"));
+    assert!(at("W").contains("no such key here"));
+    // What doesn't fit has a mark, and is scrolled to.
+    let narrow = frame("20n", (44, 24));
+    assert!(narrow.contains('…') && narrow != frame("20n >", (44, 24)), "{narrow}");
+    assert_eq!(frame("20n 3> 9<lt>", (44, 24)), narrow);
+}
+
+/// By hand a value has the decimals that it was rounded to, however many tell it from the other.
+#[test]
+fn values_by_hand_have_their_own_decimals() {
+    let logs = [textbook(Arithmetic::Decimal(3)), textbook(Arithmetic::F64)];
+    let theme = Theme::new(Palette::None, false);
+    for keys in ["", "10n", "20n", "30n", "38n"] {
+        let frame = frame_after(&logs, keys, (160, 40), &theme);
+        for row in frame.lines().take(30).filter_map(|row| row.get(..row.char_indices().nth(78)?.0)) {
+            let words = row.split(|c: char| !c.is_ascii_digit() && c != '.').filter_map(|word| word.split_once('.'));
+            assert!(words.clone().all(|(_, decimals)| decimals.len() <= 3), "{row}\n{frame}");
+        }
+    }
+}
+
 #[test]
 fn any_size_can_be_drawn() {
     let logs = [textbook(Arithmetic::F64), textbook(Arithmetic::F32)];

@@ -15,4 +15,6 @@ mod spanish;
 mod terminal;
 mod understanding;
 #[cfg(unix)]
+mod waiting;
+#[cfg(unix)]
 mod what_if;

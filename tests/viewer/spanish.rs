@@ -6,7 +6,7 @@ use assert_cmd::Command;
 use raywalk::log::{Log, Subject};
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::report::language::Language;
-use raywalk::tui::{self, Dot, Image, Live, Options, Palette, Refusal, Theme, dump::dump};
+use raywalk::tui::{self, Dot, Image, Live, Options, Palette, Refusal, Theme, Wanted, dump::dump};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
@@ -25,9 +25,16 @@ impl Live for Example {
         }
     }
 
-    fn picture(&mut self, _: bool) -> Option<Arc<Image>> {
+    fn picture(&mut self, _: Wanted) -> Option<Arc<Image>> {
         let mut image = Image::empty([320, 240], Arc::new(|color, _| color.map(|part| (255.0 * part) as u8)));
-        image.dots.fill(Some(Dot { color: [0.25; 3], depth: Some(12.75), rays: 3, samples: 1, error: Some(1.5e-7) }));
+        image.dots.fill(Some(Dot {
+            color: [0.25; 3],
+            depth: Some(12.75),
+            rays: 3,
+            samples: 1,
+            error: Some(1.5e-7),
+            is_rough: false,
+        }));
         Some(Arc::new(image))
     }
 

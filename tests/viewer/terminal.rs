@@ -94,7 +94,7 @@ fn values_reach_the_clipboard() {
     let mut session = Session::start(&["walk", "textbook"], 100, 30);
     session.shows("step 1/98");
     session.press("0Y");
-    session.shows("copied: C camera");
+    session.shows("clipboard: C camera");
     session.press("q");
     session.ends_with(0);
     // Base64 of `C camera`.

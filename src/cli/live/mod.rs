@@ -11,7 +11,7 @@ use raywalk::log::{Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::scene::Scene;
-use raywalk::tui::{Change, Drawing, Image, Live, Refusal};
+use raywalk::tui::{Change, Drawing, Image, Live, Refusal, Wanted};
 use std::path::PathBuf;
 use std::sync::Arc;
 use workbench::Workbench;
@@ -20,15 +20,15 @@ use workbench::Workbench;
 pub struct Session {
     scene: Arc<Scene>,
     workbench: Workbench,
-    waits: bool,
+    is_still: bool,
     /// The picture; begun when somebody wants to see it.
     rendering: Option<Rendering>,
 }
 
 impl Session {
-    /// The session of a scene; one that waits shows nothing of a picture before all of it is there.
-    pub fn new(scene: Scene, workbench: Workbench, waits: bool) -> Session {
-        Session { scene: Arc::new(scene), workbench, waits, rendering: None }
+    /// The session of a scene. That of a still viewer renders nothing but what is seen in the end.
+    pub fn new(scene: Scene, workbench: Workbench, is_still: bool) -> Session {
+        Session { scene: Arc::new(scene), workbench, is_still, rendering: None }
     }
 
     fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, Refusal> {
@@ -72,12 +72,18 @@ impl Live for Session {
         self.log(Part::Pixel(pixel), arithmetic)
     }
 
-    fn picture(&mut self, whole: bool) -> Option<Arc<Image>> {
-        let (scene, arithmetic, whole) = (&self.scene, self.workbench.arithmetic(), whole || self.waits);
+    fn picture(&mut self, wanted: Wanted) -> Option<Arc<Image>> {
+        let (scene, arithmetic) = (&self.scene, self.workbench.arithmetic());
         // The printed values are those of one pixel; the others are as by hand.
         let arithmetic = if arithmetic == Arithmetic::Printed { Arithmetic::Decimal(3) } else { arithmetic };
-        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic, whole));
-        if whole {
+        match wanted {
+            Wanted::Latest if self.is_still => return Some(picture::empty(scene)),
+            Wanted::Pixels(pixels) if self.is_still => return Some(picture::of(scene, arithmetic, pixels)),
+            _ => {}
+        }
+        let is_whole = wanted != Wanted::Latest;
+        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic, is_whole));
+        if is_whole {
             rendering.finish();
         }
         rendering.latest()
@@ -102,6 +108,10 @@ impl Live for Session {
     fn before(&mut self, subject: Subject) -> Result<Log, Refusal> {
         let (scene, arithmetic) = self.workbench.before()?;
         log_of(&scene, part_in(&scene, subject)?, arithmetic)
+    }
+
+    fn is_watching(&self) -> bool {
+        self.workbench.is_watching()
     }
 
     fn reload(&mut self, subject: Subject) -> Option<Result<Log, Refusal>> {

@@ -2,9 +2,10 @@
 
 use raywalk::record::Arithmetic;
 use raywalk::render::{export, preview};
-use raywalk::scene::Scene;
+use raywalk::scene::{Sampling, Scene};
 use raywalk::threads::work_alone;
 use raywalk::tui::{COARSEST, Dot, Image};
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
@@ -28,14 +29,37 @@ struct Shared {
     stop: AtomicBool,
 }
 
+/// The picture without any dots.
+pub fn empty(scene: &Scene) -> Arc<Image> {
+    let output = scene.output;
+    let levels = move |color: [f64; 3], stops: f64| export::levels(color, &output, stops);
+    Arc::new(Image::empty(scene.camera.resolution, Arc::new(levels)))
+}
+
+/// The picture with the dots of these pixels.
+pub fn of(scene: &Scene, arithmetic: Arithmetic, pixels: Vec<[u32; 2]>) -> Arc<Image> {
+    let mut image = Image::clone(&empty(scene));
+    let numbers: BTreeSet<usize> = pixels.into_iter().map(|pixel| image.index(pixel)).collect();
+    let pixel = |number: &usize| {
+        [number % image.columns() as usize, number / image.columns() as usize].map(|at| at as u32 * image.step)
+    };
+    let dots = preview::dots(scene, numbers.iter().map(pixel).collect(), arithmetic);
+    for (number, dot) in numbers.into_iter().zip(dots) {
+        image.dots[number] = Some(shown(dot, false));
+    }
+    Arc::new(image)
+}
+
+fn shown(preview::Dot { color, depth, rays, samples }: preview::Dot, is_rough: bool) -> Dot {
+    Dot { color: color.to_array(), depth, rays, samples, error: None, is_rough }
+}
+
 impl Rendering {
     /// Begins to render, on a thread of its own; the whole picture, if nothing is shown before it.
     pub fn start(scene: Arc<Scene>, arithmetic: Arithmetic, whole: bool) -> Rendering {
-        let output = scene.output;
-        let levels = move |color: [f64; 3], stops: f64| export::levels(color, &output, stops);
-        let empty = Image::empty(scene.camera.resolution, Arc::new(levels));
-        let shared =
-            Arc::new(Shared { latest: Mutex::new(Some(Arc::new(empty.clone()))), stop: AtomicBool::new(false) });
+        let empty = empty(&scene);
+        let shared = Arc::new(Shared { latest: Mutex::new(Some(Arc::clone(&empty))), stop: AtomicBool::new(false) });
+        let empty = Image::clone(&empty);
         if whole {
             shared.render(&scene, arithmetic, empty, None);
             return Rendering { shared, thread: None };
@@ -81,18 +105,21 @@ impl Shared {
         let pixel = |place: [u32; 2]| place.map(|number| number * step);
         let index = move |[column, row]: [u32; 2]| row as usize * columns + column as usize;
         let mut clock = Clock(Instant::now());
-        let dot = |place| preview::dot(scene, pixel(place), arithmetic);
-        let publish = |dots: Vec<([u32; 2], preview::Dot)>| {
-            for (place, dot) in dots {
-                let preview::Dot { color, depth, rays, samples } = dot;
-                image.dots[index(place)] = Some(Dot { color: color.to_array(), depth, rays, samples, error: None });
-            }
-            clock.publish(self, &image);
-            if until.is_some_and(|until| Instant::now() >= until) {
-                self.stop.store(true, Ordering::Relaxed);
-            }
-        };
-        preview::in_passes(grid, COARSEST, dot, publish, &self.stop);
+        // One sample of each pixel is there soon, however many it has.
+        let has_more = !matches!(scene.sampling, Sampling::Center {});
+        for is_rough in [true, false].into_iter().filter(|is_rough| has_more || !is_rough) {
+            let of = if is_rough { preview::rough_dot } else { preview::dot };
+            let publish = |dots: Vec<([u32; 2], preview::Dot)>| {
+                for (place, dot) in dots {
+                    image.dots[index(place)] = Some(shown(dot, is_rough));
+                }
+                clock.publish(self, &image);
+                if until.is_some_and(|until| Instant::now() >= until) {
+                    self.stop.store(true, Ordering::Relaxed);
+                }
+            };
+            preview::in_passes(grid, COARSEST, |place| of(scene, pixel(place), arithmetic), publish, &self.stop);
+        }
         self.put(&image);
         let colors: Vec<_> = image.dots.iter().map(|dot| dot.map(|dot| dot.color)).collect();
         let error = |place| {

@@ -142,6 +142,11 @@ impl Workbench {
         output.commit(scene.to_json().as_bytes()).map_err(refused)
     }
 
+    /// Whether the scene has files that may change.
+    pub fn is_watching(&self) -> bool {
+        !self.watch.files.is_empty()
+    }
+
     /// The scene read anew, if its files have changed since they were last looked at. One that can't be read leaves all as it was.
     pub fn reload(&mut self) -> Option<Result<Scene, Refusal>> {
         self.watch.has_changed().then(|| {

@@ -120,7 +120,7 @@ fn rows(a: Run, alignment: &Alignment, differs: impl Fn(Spot) -> bool) -> Vec<Ro
 }
 
 fn named(run: Run, item: Item, value: &Value, style: Style) -> String {
-    let shown = Language::English.value(value, style);
+    let shown = Language::English.value(value, style.within(&run.log.header));
     match quantity(run, item) {
         Some(name) => format!("{} = {shown}", name.symbol()),
         None => match item {

@@ -22,6 +22,8 @@ pub struct Text {
     is_brief: bool,
     /// Whether a difference was shown already.
     has_first: bool,
+    /// The headers of both logs, once they are known.
+    of: Option<Box<[Header; 2]>>,
     /// Whether the logs are of different arithmetics, so that the same operands give different values.
     is_rounded_otherwise: bool,
     /// What the headers say differently of the scene and its tracing: the fields, or only the digest.
@@ -140,6 +142,7 @@ impl Text {
             digits,
             is_brief,
             has_first: false,
+            of: None,
             is_rounded_otherwise: false,
             headers: Vec::new(),
             told: BTreeSet::new(),
@@ -157,7 +160,8 @@ impl Text {
         if headers.len() > 1 {
             headers.retain(|field| *field != "scene.digest");
         }
-        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, headers, ..self }
+        let of = Some(Box::new([a.clone(), b.clone()]));
+        Text { of, is_rounded_otherwise: a.arithmetic != b.arithmetic, headers, ..self }
     }
 
     /// The inputs of the scene that differ, each in the first pixel that has it.
@@ -206,7 +210,9 @@ impl Text {
             Statement::Value { name, a, b, distance, .. } => {
                 let style = telling_apart(a, b, self.digits);
                 let symbol = name.map_or("", |name| name.symbol()).to_owned();
-                let [a, b] = [a, b].map(|value| Language::English.value(value, style));
+                let styles = self.of.as_ref().map_or([style; 2], |of| of.each_ref().map(|header| style.within(header)));
+                let [a, b] =
+                    [(a, styles[0]), (b, styles[1])].map(|(value, style)| Language::English.value(value, style));
                 [label(entry), symbol, a, b, size(distance.absolute), size(distance.relative)]
             }
             Statement::Decision { a, b } => ["decision", "", a, b, "", ""].map(str::to_owned),

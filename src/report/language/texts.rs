@@ -107,6 +107,8 @@ texts! {
     free = "nothing blocks the light", "nada bloquea la luz";
     /// Behind a value that was computed with more digits than the others.
     twice_the_digits = "with twice the digits", "con el doble de cifras";
+    /// Behind a value that the book prints although its formula gives another one.
+    printed = "printed", "impreso";
     /// The object that blocks.
     blocked_by(object: &str) = "blocked by {object}", "bloqueado por {object}";
     /// The object that a shadow ray passes, and what it keeps.

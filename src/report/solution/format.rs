@@ -104,7 +104,7 @@ pub(super) fn page<F: Format>(task: &Task) -> String {
     out += &heading(texts.result);
     out += &match solution.result {
         Some((color, event)) => {
-            let marker = F::escaped(&digits::marker(task.language, &task.log.events[event]));
+            let marker = F::escaped(&digits::marker(task.language, task.log, task.tree, event));
             // The sentence is the language's own and has nothing that a format reads.
             let color = value::<F>(task, &Value::Triple(color), last_color(task));
             let sentence = (texts.conclusion)(&F::Formulas::within_text(color));

@@ -20,7 +20,7 @@ pub(super) fn aligned(task: &Task, events: &[usize], fitted: fn(String) -> Strin
     for event in events {
         let Some(equation) = Equation::of(task, *event) else { continue };
         let mut lines = lines(task, &equation, fitted);
-        let marker = digits::marker(task.language, &task.log.events[*event]);
+        let marker = digits::marker(task.language, task.log, task.tree, *event);
         if let Some(last) = lines.last_mut().filter(|_| !marker.is_empty()) {
             last.push_str(&format!("\\quad\\text{{{}}}", escape::latex(&marker)));
         }

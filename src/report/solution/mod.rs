@@ -135,7 +135,7 @@ fn decision(task: &Task, event: usize) -> Option<String> {
     let What::Mark(decision) = &happening.what else { return None };
     let lost = words::lost(task.language, task.log.given(event), task.style);
     let words = words::decision(task.language, &task.log.header, decision, task.style);
-    Some(format!("{words}{lost}{}", digits::marker(task.language, happening)))
+    Some(format!("{words}{lost}{}", digits::marker(task.language, task.log, task.tree, event)))
 }
 
 /// A title as the beginning of a sentence.

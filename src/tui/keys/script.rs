@@ -1,6 +1,7 @@
 //! Keys that are written down, for a screenshot or a test.
 
-use super::parse;
+use super::{NAMES, parse, rows};
+use crate::files::suggest;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 /// What a script of keys holds.
@@ -42,19 +43,57 @@ pub fn sequence(text: &str) -> Vec<KeyEvent> {
     script(text).into_iter().filter_map(key).collect()
 }
 
-/// What is in angle brackets in a script as the name of a key, but is none.
+/// What a script has in place of the name of a key, but is none: in angle brackets, or a word of its own like `Retrun`. Words of a line that is
+/// typed are no keys.
 pub fn unknown_name(text: &str) -> Option<&str> {
-    let looks_like_a_name = |name: &&str| {
-        name.chars().nth(1).is_some() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '^')
-    };
-    let names = text.split('<').skip(1).filter_map(|rest| rest.split_once('>')).map(|(name, _)| name);
-    names.filter(looks_like_a_name).find(|name| parse(name).is_none())
+    let mut is_in_line = false;
+    for word in text.split_whitespace() {
+        let bracketed = word.split('<').skip(1).filter_map(|rest| rest.split_once('>')).map(|(name, _)| name);
+        let looks_like_a_name = |name: &&str| {
+            name.chars().nth(1).is_some() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '^')
+        };
+        if let Some(unknown) = bracketed.filter(looks_like_a_name).find(|name| named(name).is_none()) {
+            return Some(unknown);
+        }
+        if !is_in_line && is_misspelled(word) {
+            return Some(word);
+        }
+        let mut rest = word;
+        while let Some((key, after)) = first_key(rest) {
+            is_in_line = match key.code {
+                KeyCode::Enter | KeyCode::Esc => false,
+                // These begin a line.
+                KeyCode::Char('/' | ':' | 'b' | 'f' | '=') => true,
+                _ => is_in_line,
+            };
+            rest = after;
+        }
+    }
+    None
+}
+
+/// Whether a word can only be meant as the name of a key: it begins like one, and has a letter that is no key, or is nearly a name.
+fn is_misspelled(word: &str) -> bool {
+    let begins_like_a_name =
+        word.starts_with(|c: char| c.is_ascii_uppercase()) && word.chars().skip(1).all(|c| c.is_ascii_lowercase());
+    let is_key = |c: char| rows().any(|row| row.keys.iter().any(|key| key.strip_prefix(c) == Some("")));
+    let is_near = || suggest(word, NAMES.iter().map(|(name, _)| *name)).is_some();
+    begins_like_a_name && word.len() > 3 && parse(word).is_none() && (is_near() || !word.chars().all(is_key))
+}
+
+/// The key with this name in angle brackets, where capitals don't count.
+fn named(name: &str) -> Option<KeyEvent> {
+    if name.eq_ignore_ascii_case("lt") {
+        return parse("<");
+    }
+    let known = NAMES.iter().map(|(known, _)| *known).find(|known| known.eq_ignore_ascii_case(name));
+    parse(known.unwrap_or(name)).or_else(|| parse(&name.to_ascii_uppercase()))
 }
 
 /// The key in angle brackets that a text begins with, and what follows it.
 fn bracketed(text: &str) -> Option<(KeyEvent, &str)> {
     let (name, after) = text.strip_prefix('<')?.split_once('>')?;
-    Some((parse(name)?, after))
+    Some((named(name)?, after))
 }
 
 /// The key that a word begins with, and what follows it.
@@ -87,6 +126,10 @@ mod tests {
         spells("l<Down><Space>n<^u><x", &["l", "Down", "Space", "n", "^u", "<", "x"]);
         spells("Tab Shift-Tab l<Shift-Tab>", &["Tab", "Shift-Tab", "l", "Shift-Tab"]);
         spells("<C-o> C-d C", &["^o", "^d", "C"]);
+        // As other programs call them.
+        spells("<S-Tab><CR><c-d><BS><PageDown><esc>", &["Shift-Tab", "Enter", "^d", "Backspace", "PgDn", "Esc"]);
+        spells("<lt>", &["<"]);
+        spells("PageUp Return <RETURN> <f1>", &["PgUp", "Enter", "Enter", "F1"]);
     }
 
     #[test]
@@ -100,7 +143,22 @@ mod tests {
     fn names_that_are_none_are_found() {
         assert_eq!(unknown_name("n<Nope>"), Some("Nope"));
         assert_eq!(unknown_name("<Tab><Retrun>x"), Some("Retrun"));
-        for fine in ["<Tab>", "T2_A<0 a>b", "<<<>>", "<x>", "b T2<A>", "<C-o><^o>"] {
+        assert_eq!(unknown_name("nn Retrun"), Some("Retrun"));
+        assert_eq!(unknown_name("Zyxwv nn"), Some("Zyxwv"));
+        assert_eq!(unknown_name("/ plane Enter Spcae"), Some("Spcae"));
+        for fine in [
+            "/ Sphere Enter n",
+            "Gkk",
+            "Qnnn",
+            "/Local model Enter",
+            "b object Wall <Enter>",
+            "<Tab>",
+            "T2_A<0 a>b",
+            "<<<>>",
+            "<x>",
+            "b T2<A>",
+            "<C-o><^o>",
+        ] {
             assert_eq!(unknown_name(fine), None, "{fine}");
         }
     }

@@ -1,6 +1,6 @@
 //! What each node came to, and how many rays lie inside it: gathered once, in one pass over the events.
 
-use crate::log::{Decision, Event, Log, Name, Node, RayKind, Step, Tree, What};
+use crate::log::{Decision, Event, Log, Name, Node, RayKind, Step, Term, Tree, What};
 use std::ops::Range;
 
 /// What the nodes of a tree came to.
@@ -61,6 +61,12 @@ impl Facts {
             What::Note { name, .. } if says_what_came(tree.nodes()[owner].step, name) => fact.value = number,
             What::Note { .. } => {}
             What::Result { .. } => fact.value = number,
+            // Why no shadow ray goes to a light.
+            What::Mark(Decision::Skipped { what: Term::Shadow, .. } | Decision::Free)
+                if is_light(&tree.nodes()[owner]) =>
+            {
+                fact.outcome = number;
+            }
             What::Mark(decision) => match decision {
                 Decision::Outside | Decision::Inside | Decision::Skipped { .. } | Decision::LeakGuard { .. } => {}
                 Decision::Coincident { .. } | Decision::Immersed { .. } | Decision::Bent { .. } => {}
@@ -120,6 +126,10 @@ fn rays_before(tree: &Tree) -> Vec<u32> {
         before.push(count);
     }
     before
+}
+
+fn is_light(node: &Node) -> bool {
+    matches!(node.step, Some(Step::Light { .. }))
 }
 
 fn is_ray(node: &Node) -> bool {

@@ -3,19 +3,19 @@
 use super::Model;
 use crate::log::What;
 
+/// Whether a quiz asks for this: a result or a decision.
+pub fn is_asked(what: &What) -> bool {
+    matches!(what, What::Note { .. } | What::Result { .. } | What::Mark(_))
+}
+
 impl Model {
     /// Whether the quiz hides the result or the decision of an event: it is at the current step or after it and wasn't
     /// answered yet.
     pub fn hides(&self, event: usize) -> bool {
-        let is_asked = || {
-            let what = self.log.events.get(event).map(|event| &event.what);
-            matches!(what, Some(What::Note { .. } | What::Result { .. } | What::Mark(_)))
-        };
-        let is_answered = || {
-            let here = self.understanding.answered.get(&self.pixel());
-            here.is_some_and(|answered| answered.contains(&event))
-        };
-        self.understanding.quiz.is_some() && event >= self.event && is_asked() && !is_answered()
+        let Some(quiz) = &self.understanding.quiz else { return false };
+        let is_asked = || self.log.events.get(event).is_some_and(|event| is_asked(&event.what));
+        let is_answered = || quiz.pixels.get(&self.pixel()).is_some_and(|here| here.known.contains_key(&event));
+        event >= self.event && is_asked() && !is_answered()
     }
 
     /// Whether what an event is called would tell what the quiz hides: a decision is called by what was decided.
@@ -26,7 +26,7 @@ impl Model {
     /// The last event that may be shown, where some may not.
     pub fn told(&self) -> Option<usize> {
         let current = self.event.saturating_sub(usize::from(self.hides(self.event)));
-        self.understanding.quiz.map(|_| current).or(self.guide.grown)
+        self.understanding.quiz.as_ref().map(|_| current).or(self.guide.grown)
     }
 
     /// Whether the quiz hides what goes into an event: it is after the current step, and its operands would tell results.
@@ -36,6 +36,6 @@ impl Model {
 
     /// What the status line says of the quiz.
     pub fn score(&self) -> Option<String> {
-        self.understanding.quiz.map(|quiz| (self.texts().status.quiz)(quiz.right, quiz.asked))
+        self.understanding.quiz.as_ref().map(|quiz| (self.texts().status.quiz)(quiz.score()))
     }
 }

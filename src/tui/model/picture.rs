@@ -33,6 +33,8 @@ pub struct Dot {
     pub samples: u32,
     /// By how much single precision misses the colour, in the worst channel; `None` until that is known.
     pub error: Option<f64>,
+    /// Whether it is only what one of its samples says, until the others are traced.
+    pub is_rough: bool,
 }
 
 /// What of the pixels is shown.
@@ -90,9 +92,14 @@ impl Image {
         self.size[1].div_ceil(self.step)
     }
 
-    /// How many dots are there.
+    /// How many dots are there with all of their samples.
     pub fn done(&self) -> usize {
-        self.dots.iter().filter(|dot| dot.is_some()).count()
+        self.dots.iter().flatten().filter(|dot| !dot.is_rough).count()
+    }
+
+    /// The number of a pixel's dot.
+    pub fn index(&self, [x, y]: [u32; 2]) -> usize {
+        (y / self.step) as usize * self.columns() as usize + (x / self.step) as usize
     }
 
     /// The dot of a pixel, or the nearest one up and to the left of a coarser grid while it isn't there.
@@ -138,8 +145,8 @@ impl Layer {
         match self {
             Layer::Colors => None,
             Layer::Depth => dot.depth,
-            Layer::Rays => Some(dot.rays.into()),
-            Layer::Samples => Some(dot.samples.into()),
+            Layer::Rays => (!dot.is_rough).then(|| dot.rays.into()),
+            Layer::Samples => (!dot.is_rough).then(|| dot.samples.into()),
             Layer::Error => dot.error,
         }
     }
@@ -155,6 +162,25 @@ impl PictureView {
     pub fn show(&mut self, image: Arc<Image>) {
         self.is_finished = image.dots.iter().all(|dot| dot.is_some_and(|dot| dot.error.is_some()));
         self.image = image;
+    }
+
+    /// What of the picture is seen on a screen of this many dots.
+    pub fn seen(&self, screen: [u32; 2]) -> Wanted {
+        let under = || (0..screen[1]).flat_map(|row| (0..screen[0]).map(move |column| [column, row]));
+        match self.layer {
+            Layer::Colors => {
+                Wanted::Pixels(under().filter_map(|dot| self.pixel_under(screen, dot)).chain([self.cursor]).collect())
+            }
+            // The colours of the others reach from the least value of all dots to the greatest.
+            Layer::Depth | Layer::Rays | Layer::Samples => {
+                let [width, height] = self.image.size;
+                let lines = (0..height).step_by(self.image.step as usize);
+                Wanted::Pixels(
+                    lines.flat_map(|y| (0..width).step_by(self.image.step as usize).map(move |x| [x, y])).collect(),
+                )
+            }
+            Layer::Error => Wanted::All,
+        }
     }
 
     /// How many pixels a dot of the screen stands for, on a screen of this many dots, and where the first one lies.
@@ -189,6 +215,17 @@ impl PictureView {
     pub fn expose(&mut self, half_stops: i64) {
         self.exposure = (i64::from(self.exposure) + half_stops).clamp(-60, 60) as i32;
     }
+}
+
+/// What somebody wants to see of a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// What there is already.
+    Latest,
+    /// These pixels, with all of their samples.
+    Pixels(Vec<[u32; 2]>),
+    /// Everything.
+    All,
 }
 
 /// The most that the picture is enlarged, in powers of two.

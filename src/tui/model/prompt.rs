@@ -17,8 +17,6 @@ pub struct Prompt {
     pub left: HashMap<usize, String>,
     /// How many of the latest lines before are this one, which was wrong and is being mended.
     pub tried: usize,
-    /// The warning that is hidden by what is wrong with the line.
-    pub warning: Option<Message>,
 }
 
 /// What a line is typed for.
@@ -55,7 +53,7 @@ impl Purpose {
 impl Prompt {
     /// An empty line.
     pub fn new(purpose: Purpose) -> Prompt {
-        Prompt { purpose, line: Input::default(), recalled: 0, left: HashMap::new(), tried: 0, warning: None }
+        Prompt { purpose, line: Input::default(), recalled: 0, left: HashMap::new(), tried: 0 }
     }
 }
 

@@ -34,6 +34,16 @@ impl Pattern {
         found.map(|(at, part)| letter(at)..letter(at + part.len())).collect()
     }
 
+    /// Whether it has one of these characters.
+    pub fn has_any(&self, characters: &str) -> bool {
+        self.text.contains(|c| characters.contains(c))
+    }
+
+    /// Whether it begins with one of these characters.
+    pub fn begins_with_any(&self, characters: &str) -> bool {
+        self.text.starts_with(|c| characters.contains(c))
+    }
+
     /// Whether it has only such characters.
     pub fn is_made_of(&self, characters: &str) -> bool {
         self.text.chars().all(|c| characters.contains(c))

@@ -1,7 +1,7 @@
 //! What is kept to explain with: the list that was opened, and the quiz.
 
 use super::list::{Kind, Listing};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// What the viewer keeps for understanding.
 #[derive(Clone, Debug, Default)]
@@ -10,19 +10,66 @@ pub struct Understanding {
     pub listing: Option<(Kind, Listing)>,
     /// The quiz, while it is on.
     pub quiz: Option<Quiz>,
-    /// The steps whose results somebody answered, of each pixel: the score counts none of them twice.
-    pub answered: HashMap<Option<[u32; 2]>, HashSet<usize>>,
 }
 
 /// A quiz that is on.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default)]
 pub struct Quiz {
-    /// How many answers were right.
-    pub right: u32,
-    /// How many results were asked for and are known now.
-    pub asked: u32,
+    /// What was answered and passed, by pixel.
+    pub pixels: HashMap<Option<[u32; 2]>, Answers>,
+    /// The events of the log whose results or decisions are asked for, in order.
+    pub asked: Vec<u32>,
     /// How often the current step was answered wrongly.
     pub misses: u32,
     /// The step that was, and its pixel.
     pub missed: (Option<[u32; 2]>, usize),
+}
+
+/// What was answered of a pixel.
+#[derive(Clone, Debug)]
+pub struct Answers {
+    /// How the events became known that were asked for.
+    pub known: HashMap<usize, Known>,
+    /// The first event that one has been at in the quiz.
+    pub first: usize,
+    /// The first event whose result nobody has seen.
+    pub unseen: usize,
+    /// How many results were passed without an answer, and are known.
+    pub passed: u32,
+}
+
+/// How a result became known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// The first answer was right.
+    AtOnce,
+    /// A later answer was, or the result had been seen before.
+    Later,
+    /// It was told after wrong answers.
+    Told,
+}
+
+impl Quiz {
+    /// How many results became known: by a right answer at once, by a right one later, told after wrong answers, passed unanswered.
+    pub fn score(&self) -> [u32; 4] {
+        let mut score = [0; 4];
+        for answers in self.pixels.values() {
+            for known in answers.known.values() {
+                score[*known as usize] += 1;
+            }
+            score[3] += answers.passed;
+        }
+        score
+    }
+
+    /// Takes note that the step at `event` is the current one.
+    pub fn visit(&mut self, pixel: Option<[u32; 2]>, event: usize) {
+        let new = || Answers { known: HashMap::new(), first: event, unseen: event, passed: 0 };
+        let here = self.pixels.entry(pixel).or_insert_with(new);
+        here.first = here.first.min(event);
+        here.unseen = here.unseen.max(event);
+        let before = |event: usize| self.asked.partition_point(|asked| (*asked as usize) < event);
+        let answered = here.known.keys().filter(|known| (here.first..event).contains(known)).count();
+        here.passed = (before(event) - before(here.first) - answered) as u32;
+    }
 }

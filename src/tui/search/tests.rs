@@ -1,8 +1,9 @@
 //! What a search finds, and in which order.
 
 use super::*;
-use crate::log::RayKind;
-use crate::tui::testing::{glass, nested, textbook};
+use crate::log::{Log, RayKind};
+use crate::report::language::Language;
+use crate::tui::testing::{glass, lit_from_behind, log_of, nested, textbook};
 
 fn search(log: &Log, text: &str) -> Search {
     let (model, mut search) = (Model::new(log.clone()), Search::new(text, 0, log.events.len()));
@@ -32,6 +33,63 @@ fn what_is_searched() {
     assert!(!search(&log, "13.24").found.is_empty());
     assert!(!search(&log, "N*L").found.is_empty());
     finds(&log, "no such text", 0);
+}
+
+/// What is given to a step is found by its symbol, its key and its value, and only where it is given.
+#[test]
+fn inputs_are_found() {
+    let log = textbook();
+    let given = |symbol: &str| {
+        let has_it = |event: &usize| log.given(*event).iter().any(|(name, _)| name.symbol() == symbol);
+        (0..log.events.len()).filter(has_it).map(|event| event as u32).collect::<Vec<_>>()
+    };
+    for (text, symbol) in
+        [("S_c", "S_c"), ("sphere.center", "S_c"), ("K_d = (0.700, 0.500, 0.400)", "K_d"), ("S_c = (17, 9, 8)", "S_c")]
+    {
+        let (found, given) = (search(&log, text).found, given(symbol));
+        assert!(!found.is_empty() && found.iter().all(|event| given.contains(event)), "{text}: {found:?} of {given:?}");
+    }
+    // The wall's diffuse coefficient; no computed value has it.
+    let walls = search(&log, "0.700").found;
+    assert!(
+        !walls.is_empty()
+            && walls.iter().all(|event| given("K_d").contains(event)
+                || given("K_s").contains(event)
+                || given("K_e").contains(event)),
+        "{walls:?}"
+    );
+}
+
+/// What the rows of the tree say of their nodes is found, and the numbers that decided.
+#[test]
+fn what_nodes_came_to_is_found() {
+    let count = |log: &Log, is: &dyn Fn(&What) -> bool| log.events.iter().filter(|event| is(&event.what)).count();
+    let glass = log_of("total-reflection", crate::record::Arithmetic::F64);
+    finds(
+        &glass,
+        "total reflection",
+        count(&glass, &|what| matches!(what, What::Mark(Decision::TotalInternalReflection))),
+    );
+    let weakened = search(&glass, "weakened by").found;
+    finds(&glass, "weakened by", count(&glass, &|what| matches!(what, What::Mark(Decision::Attenuated { .. }))));
+    assert!(!weakened.is_empty() && !search(&glass, "total reflection").found.is_empty());
+    let log = textbook();
+    let is_shadow = |event: &crate::log::Event| {
+        matches!(event.what, What::Enter { step: Step::Ray { kind: RayKind::Shadow { .. }, .. }, .. })
+    };
+    // Nothing blocks a light in the numeric example.
+    let ends = search(&log, "lit").found.into_iter().filter(|event| log.events[*event as usize].what == What::Leave);
+    assert_eq!(ends.count(), log.events.iter().filter(|event| is_shadow(event)).count());
+    finds(&log, "T2_A ≥ 0: 6.380 ≥ 0", 1);
+    finds(&log, "r² − L2oc", search(&log, "T2_A").found.len());
+    finds(&log, "V_d = -0.946", 1);
+    finds(&log, "C R reflected", 1);
+    let is_behind =
+        |what: &What| matches!(what, What::Mark(Decision::Skipped { why: crate::log::SkipReason::Behind, .. }));
+    let glass = lit_from_behind();
+    let behind = count(&glass, &is_behind);
+    assert!(behind > 0);
+    finds(&glass, "behind the surface", behind);
 }
 
 #[test]

@@ -219,6 +219,35 @@ fn the_mouse_selects_and_scrolls() {
     let step = model.step();
     at(&mut model, MouseEventKind::ScrollDown, other.x + 1, other.y + 1);
     assert!(model.step() > step && model.cursor == 2);
+    // A click selects the step of the line, whichever of its lines that is.
+    typed(&mut model, "0 28n");
+    let shown = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
+    let clicked = |line: usize, text: &str| text.lines().nth(line).unwrap_or_default().to_owned();
+    let mut selected = Vec::new();
+    for y in other.y + 1..other.bottom() {
+        at(&mut model, press, other.x + 3, y);
+        selected.push(model.event);
+        // Each click is judged on the same screen.
+        typed(&mut model, "0 28n");
+    }
+    let is_line = |event: usize, line: &str| match model.log.events[event].what {
+        What::Note { name, .. } => line.contains(&format!("{} = ", name.symbol())),
+        _ => false,
+    };
+    let hits = selected
+        .iter()
+        .enumerate()
+        .filter(|(row, event)| is_line(**event, &clicked(usize::from(other.y) + 1 + row, &shown)));
+    assert!(hits.count() >= 3, "{selected:?}\n{shown}");
+    // In a list a click selects an entry.
+    typed(&mut model, "0 29n d");
+    let listed = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
+    let row = listed.lines().position(|line| line.contains("reflect.direction")).expect("the second operand") as u16;
+    at(&mut model, press, 50, row);
+    let Some(Overlay::List { selected, .. }) = model.overlay else { panic!("the list is open") };
+    let marked = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
+    assert!(clicked(usize::from(row), &marked).contains("▶"), "{selected}:\n{marked}");
+    typed(&mut model, "Esc");
     // What lies over the panes is scrolled itself; what is being typed isn't disturbed.
     typed(&mut model, "?");
     model.size = (100, 12);

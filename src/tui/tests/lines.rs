@@ -36,6 +36,13 @@ fn commands() {
     assert_eq!(model.guide.breakpoints.len(), 1);
     line(&mut model, ":", "search plane");
     assert!(model.guide.search.is_some());
+    line(&mut model, ":", "digits 6");
+    assert!(dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false))).contains("t = 12.685000"));
+    line(&mut model, ":", "digits 16");
+    assert_eq!(said(&model), "expected the decimals of numbers, 0 to 15: :digits 6");
+    typed(&mut model, "Esc");
+    line(&mut model, ":", "dig 3");
+    assert_eq!(said(&model), "3 decimals");
     line(&mut model, ":", "filter plane");
     assert_eq!(model.guide.filter.as_deref(), Some("plane"));
     line(&mut model, ":", "fil");
@@ -103,9 +110,10 @@ fn a_warning_gives_way_to_what_is_wrong_with_a_line() {
     line(&mut model, ":", "serach");
     assert!(said(&model).contains("did you mean :search?"), "{}", said(&model));
     typed(&mut model, "Left");
-    assert_eq!(said(&model), "cut off");
+    let warning = |model: &Model| model.warning.as_ref().map(|warning| warning.text.clone());
+    assert_eq!((said(&model), warning(&model).as_deref()), ("", Some("cut off")));
     typed(&mut model, "Enter Esc");
-    assert_eq!((said(&model), model.prompt.is_none()), ("cut off", true));
+    assert_eq!((said(&model), model.prompt.is_none(), warning(&model).as_deref()), ("", true, Some("cut off")));
 }
 
 /// Types `keys` after three searches, a filter and a breakpoint; the line is then this.

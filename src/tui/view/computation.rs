@@ -1,7 +1,7 @@
 //! The computation of the selected node: its values with formulas and numbers put in, its decisions, its inputs.
 
-use super::highlight;
 use super::label::label;
+use super::{highlight, pattern};
 use super::{put_all, title};
 use crate::log::tree::Item;
 use crate::log::{Decision, Event, What};
@@ -9,9 +9,9 @@ use crate::report::{self, path_class};
 use crate::tui::model::layout::Layout;
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{Piece, shown, width_of, wrap};
-use crate::tui::theme::{Role, Theme};
+use crate::tui::theme::{Palette, Role, Theme};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use ratatui::text::{Line, Span};
 
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -24,38 +24,45 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let name = shown(&class.map_or(name.clone(), |class| format!("{name}, {class}")), theme);
     title(model, Pane::Computation, name, "", theme, area, buffer);
     let body = Layout::body(area);
-    put_all(buffer, body, lines(model, theme, usize::from(body.width), usize::from(body.height)));
+    let lines = lines(model, theme, usize::from(body.width), usize::from(body.height));
+    put_all(buffer, body, lines.into_iter().map(|(line, _)| line));
     highlight::draw(model, body, buffer);
 }
 
-/// The lines to show, so that the current step is among them.
-fn lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<Line<'static>> {
+/// What is shown at a place on the screen; `area` is that of the pane.
+pub(in crate::tui) fn item_at(model: &Model, area: Rect, at: Position) -> Option<Item> {
+    let body = Layout::body(pattern::split(model, area).0);
+    let theme = Theme::new(Palette::None, model.is_ascii);
+    let lines = lines(model, &theme, usize::from(body.width), usize::from(body.height));
+    let row = body.contains(at).then(|| usize::from(at.y - body.y))?;
+    lines.get(row).map(|(_, item)| *item)
+}
+
+/// The lines to show with what they are about, so that the current step is among them.
+fn lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<(Line<'static>, Item)> {
     let items = model.items();
     let width = width.saturating_sub(2);
     let current = items.iter().position(|item| is_current(model, *item)).unwrap_or(0);
     // Every item has a line at least, so that no item further off can be on the screen.
     let first = current.saturating_sub(height);
-    let (mut lines, mut changed) = (Vec::new(), Vec::new());
+    let mut lines = Vec::new();
     let (mut begin, mut mark, mut end) = (0, 0, 0);
     for (index, item) in items.iter().enumerate().skip(first).take(2 * height + 1) {
         let (block, marked) = block(model, *item, width, theme);
         if index == current {
             (begin, mark, end) = (lines.len(), lines.len() + marked, lines.len() + block.len());
         }
-        if is_changed(model, *item) {
-            changed.push(lines.len() + marked);
-        }
-        lines.extend(block);
+        lines.extend(block.into_iter().map(|line| (line, *item)));
     }
     let at_mark = Span::styled(format!("{} ", theme.glyphs.current), theme.style(Role::Current));
-    let with_margin = |(number, line): (usize, Line<'static>)| {
-        let is_changed = changed.contains(&number);
+    let is_other = Span::styled(format!("{} ", theme.glyphs.differs), theme.style(Role::Warning));
+    let with_margin = |(number, (line, item)): (usize, (Line<'static>, Item))| {
         let margin = match number == mark {
             true => at_mark.clone(),
-            false if is_changed => Span::styled(format!("{} ", theme.glyphs.differs), theme.style(Role::Warning)),
+            false if is_changed(model, item) => is_other.clone(),
             false => Span::raw("  "),
         };
-        Line::from_iter(std::iter::once(margin).chain(line.spans))
+        (Line::from_iter(std::iter::once(margin).chain(line.spans)), item)
     };
     let skipped = begin.saturating_sub(height / 3).min(lines.len().saturating_sub(height));
     // All of the step, or, if there is too much of it, the line with the mark.
@@ -100,7 +107,7 @@ fn block(model: &Model, item: Item, width: usize, theme: &Theme) -> (Vec<Line<'s
 /// An event without its inputs.
 fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
     let (end, result) = (model.texts().panes.end, model.language.texts().result);
-    let marker = report::digits::marker(model.language, &model.log.events[event]);
+    let marker = report::digits::marker(model.language, &model.log, &model.tree, event);
     let pieces = match &model.log.events[event].what {
         What::Note { .. } => return note(model, event, theme, width),
         What::Enter { .. } => label(model, model.tree.owner(event), theme),
@@ -140,7 +147,7 @@ fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'s
     let result = if model.hides(event) {
         "?".to_owned()
     } else {
-        shown(&computation.result, theme) + &report::digits::marker(model.language, &model.log.events[event])
+        shown(&computation.result, theme) + &report::digits::marker(model.language, &model.log, &model.tree, event)
     };
     let parts: Vec<Piece> = parts.chain([(result, theme.style(Role::Value))]).collect();
 

@@ -9,7 +9,7 @@ use crate::tui::model::list::{Kind, Listing};
 use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Palette, Role, Theme};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 
@@ -40,8 +40,7 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
         format!("{stays}{}", cut(scrolls, shift, room, theme))
     };
     put(buffer, head, Line::styled(format!("  {}", seen(&table.head, fixed)), faint));
-    let height = usize::from(body.height);
-    let top = selected.saturating_sub(height / 2).min(table.rows.len().saturating_sub(height));
+    let top = place.top(selected, &table);
     let lines = table.rows.iter().zip(&listing.entries).enumerate().skip(top).map(|(number, (text, entry))| {
         let mark = if number == selected { theme.glyphs.current } else { " " };
         let text = if entry.is_heading {
@@ -60,6 +59,21 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
         let place = Rect { y: row, height: 1, ..body }.intersection(body).intersection(buffer.area);
         buffer.set_style(place, Style::new().add_modifier(Modifier::REVERSED));
     }
+}
+
+/// The entry at a place on the screen.
+pub(in crate::tui) fn entry_at(
+    model: &Model,
+    (listing, kind): (&Listing, Kind),
+    selected: usize,
+    at: Position,
+) -> Option<usize> {
+    let table = Table::of(listing, &Theme::new(Palette::None, model.is_ascii));
+    let hints = &model.texts().lists.hints;
+    let hint = kind.hints(hints).first().unwrap_or(&hints.usual[0]);
+    let place = Place::of(listing, &table, hint, Rect::new(0, 0, model.size.0, model.size.1));
+    let row = place.body.contains(at).then(|| place.top(selected, &table) + usize::from(at.y - place.body.y))?;
+    Some(row).filter(|row| *row < table.rows.len())
 }
 
 /// What to say about keys.
@@ -103,6 +117,12 @@ impl Place {
         let head_height = u16::from(has_head && usize::from(whole.height) > table.rows.len().min(2));
         let head = Rect { height: head_height, ..whole };
         Place { area, head, body: Rect { y: whole.y + head_height, height: whole.height - head_height, ..whole } }
+    }
+
+    /// The first entry that is seen: the selected one is in the middle, if it can be.
+    fn top(&self, selected: usize, table: &Table) -> usize {
+        let height = usize::from(self.body.height);
+        selected.saturating_sub(height / 2).min(table.rows.len().saturating_sub(height))
     }
 
     /// The columns that a line has, behind the mark of the selected one.

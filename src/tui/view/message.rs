@@ -16,7 +16,7 @@ const MOST_ROWS: usize = 3;
 
 /// Draws the message, if there is one: behind the step where both have room.
 pub(super) fn draw(model: &Model, theme: &Theme, status: Rect, buffer: &mut Buffer) {
-    let Some(message) = &model.message else { return };
+    let Some(message) = model.message.as_ref().or(model.warning.as_ref()) else { return };
     let style = theme.style(if message.is_warning { Role::Warning } else { Role::Text });
     let before = if message.is_warning { model.texts().status.warning } else { "" };
     let text = shown(&format!("{before}{}", message.text), theme);

@@ -15,7 +15,10 @@ mod status;
 mod table;
 mod tree;
 
-pub(super) use list::last_shift;
+pub(super) use computation::item_at;
+pub(super) use list::{entry_at, last_shift};
+pub(super) use status::draw_line;
+pub(super) use table::cut;
 
 use super::model::{Model, Overlay, Pane};
 use super::text::shown;
@@ -95,7 +98,7 @@ fn only_ascii(area: Rect, buffer: &mut Buffer) {
 }
 
 /// An area without `rows` rows above and below, and without two columns at each side.
-fn inner(area: Rect, rows: u16) -> Rect {
+pub(super) fn inner(area: Rect, rows: u16) -> Rect {
     Rect {
         x: area.x.saturating_add(2),
         y: area.y.saturating_add(rows),
@@ -110,7 +113,7 @@ pub(super) fn draw_rule(theme: &Theme, area: Rect, buffer: &mut Buffer) {
 }
 
 /// The rules above and below, with the title and what the keys do.
-fn draw_frame(title: &str, hint: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw_frame(title: &str, hint: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let faint = theme.style(Role::Faint);
     let bottom = Rect { y: area.bottom().saturating_sub(1), height: 1, ..area };
     draw_rule(theme, area, buffer);
@@ -127,6 +130,7 @@ fn title(model: &Model, pane: Pane, name: String, remark: &str, theme: &Theme, a
     let has_focus = model.focus == pane;
     let mark = if has_focus { theme.glyphs.current } else { theme.glyphs.horizontal };
     let style = if has_focus { theme.style(Role::Title) } else { faint };
+    let name = table::cut(&name, 0, usize::from(area.width).saturating_sub(3), theme);
     let heading = Line::from(vec![Span::styled(mark, style), Span::styled(format!(" {name} "), style)]);
     let used = heading.width() as u16;
     put(buffer, area, heading);

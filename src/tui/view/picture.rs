@@ -1,7 +1,7 @@
 //! The picture, two dots to a character: half blocks, or shades where there are no colours.
 
 use super::{put, title};
-use crate::log::Value;
+use crate::log::{Value, What};
 use crate::tui::model::layout::Layout;
 use crate::tui::model::picture::{Dot, Layer, PictureView};
 use crate::tui::model::{Model, Pane};
@@ -50,15 +50,17 @@ fn figure(value: f64) -> String {
 fn remark(view: &PictureView) -> String {
     let (done, all) = (view.image.done(), view.image.dots.len());
     let zoom = if view.zoom == 0 { String::new() } else { format!("x{}", 1_u32 << view.zoom) };
-    if done == all { zoom } else { format!("{} %", 100 * done / all.max(1)) }
+    if done == all || view.is_finished { zoom } else { format!("{} %", 100 * done / all.max(1)) }
 }
 
 /// What is known of the cursor's pixel, as much as fits.
 fn under_cursor(model: &Model, view: &PictureView, room: usize) -> String {
     let [x, y] = view.cursor;
     let place = format!("{x},{y}");
-    // The colour is what a quiz asks for.
-    let Some(dot) = view.image.at(view.cursor).filter(|_| model.understanding.quiz.is_none()) else { return place };
+    // The colour is what a quiz asks for, and what a growing tree comes to in the end.
+    let is_to_come = model.facts.value(0).is_some_and(|event| !model.guide.is_known(event));
+    let is_told = model.understanding.quiz.is_none() && !is_to_come;
+    let Some(dot) = view.image.at(view.cursor).filter(|_| is_told) else { return place };
     let place = match view.layer.of(dot) {
         Some(value) => {
             format!("{place}  {} {}", view.layer.word(model.language), model.language.marked(figure(value)))
@@ -66,16 +68,28 @@ fn under_cursor(model: &Model, view: &PictureView, room: usize) -> String {
         None => place,
     };
     let texts = &model.texts().panes.picture;
-    let linear = model.color(dot.color);
-    let levels = (texts.levels)((view.image.levels)(dot.color, 0.0));
+    // The tree has the colour with all of its samples already, and in `printed` that of the book.
+    let color = traced(model, view.cursor).unwrap_or(dot.color);
+    let linear = model.color(color);
+    let levels = (texts.levels)((view.image.levels)(color, 0.0));
     let depth = dot.depth.map(|depth| format!("  {}", (texts.depth)(&model.value(&Value::Number(depth)))));
-    let counts = format!("{}  {}", depth.unwrap_or_default(), (texts.rays)(dot.rays));
+    let rays = if dot.is_rough { String::new() } else { format!("  {}", (texts.rays)(dot.rays)) };
+    let counts = format!("{}{rays}", depth.unwrap_or_default());
     let texts = [
         format!("{place}  {linear}  {levels}{counts}"),
         format!("{place}  {linear}  {levels}"),
         format!("{place}  {linear}"),
     ];
     texts.into_iter().find(|text| width_of(text) <= room).unwrap_or(place)
+}
+
+/// The colour of a pixel in the log that is shown.
+fn traced(model: &Model, pixel: [u32; 2]) -> Option<[f64; 3]> {
+    let event = model.facts.value(0).filter(|_| model.pixel() == Some(pixel))?;
+    match model.log.events[event].what {
+        What::Result { color } => Some(color),
+        _ => None,
+    }
 }
 
 /// What draws the cells.

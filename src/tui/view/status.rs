@@ -2,7 +2,9 @@
 
 use super::put;
 use crate::log::What;
+use crate::report::language::viewer::Viewer;
 use crate::report::tag::tag;
+use crate::tui::model::prompt::Prompt;
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Role, Theme};
@@ -52,10 +54,16 @@ fn modes(model: &Model) -> Vec<String> {
 
 /// The line that is being typed, with its cursor; of a long one the part around the cursor.
 pub(super) fn draw_prompt(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let Some(prompt) = &model.prompt else { return };
+    if let Some(prompt) = &model.prompt {
+        draw_line(prompt, model.texts(), theme, area, buffer);
+    }
+}
+
+/// Such a line.
+pub(in crate::tui) fn draw_line(prompt: &Prompt, texts: &Viewer, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let blank = " ".repeat(usize::from(area.width));
     put(buffer, area, Line::raw(blank));
-    let sign = &shown(prompt.purpose.sign(&model.texts().status), theme);
+    let sign = &shown(prompt.purpose.sign(&texts.status), theme);
     let room = usize::from(area.width).saturating_sub(width_of(sign) + 1);
     let scrolled = prompt.line.visual_scroll(room);
     // Blank where the cursor is at the end.

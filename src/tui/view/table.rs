@@ -54,7 +54,7 @@ impl Table {
 }
 
 /// What of a text is seen through `room` columns that are `shift` columns further on, with a mark at each side where more of it is.
-pub(super) fn cut(text: &str, shift: usize, room: usize, theme: &Theme) -> String {
+pub(in crate::tui) fn cut(text: &str, shift: usize, room: usize, theme: &Theme) -> String {
     if shift == 0 && width_of(text) <= room {
         return text.to_owned();
     }

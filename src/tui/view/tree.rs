@@ -45,7 +45,11 @@ fn row(model: &Model, node: usize, theme: &Theme, width: usize) -> Line<'static>
     };
     let mut line = Line::from(Span::styled(guides(model, node, theme, width / 2), theme.style(Role::Faint)));
     line.push_span(Span::styled(fold, theme.style(Role::Faint)));
-    for (text, style) in label::row(model, node, theme) {
+    if model.changed.nodes.contains(&node) {
+        line.push_span(Span::styled(theme.glyphs.differs, theme.style(Role::Warning)));
+    }
+    let room = width.saturating_sub(line.width());
+    for (text, style) in label::row(model, node, theme, room) {
         line.push_span(Span::styled(text, style));
     }
     line

@@ -109,7 +109,7 @@ texts! {
         "close what lies over the panes; else dismiss the message, stop playing, end the search, then the filter",
         "cerrar lo que tapa los paneles; si no, quitar el mensaje, parar la reproducción, terminar la búsqueda y después el filtro";
     quit = "quit (or close the help)", "salir (o cerrar la ayuda)";
-    interrupt = "quit at once", "salir en el acto";
+    interrupt = "quit at once; close a line, a list or this help", "salir en el acto; cerrar una línea, una lista o esta ayuda";
     suspend = "to the shell; fg comes back", "al intérprete de órdenes; fg vuelve";
     step_into = "into: to the next event, wherever it is", "entrar: al siguiente suceso, esté donde esté";
     step_into_back = "into, backward", "entrar, hacia atrás";

@@ -108,8 +108,10 @@ texts! {
     nearest_step =
         "that step isn't in this log; this is the nearest",
         "ese paso no está en este registro; este es el más cercano";
-    /// What was copied.
-    copied(text: &str) = "copied: {text}", "copiado: {text}";
+    /// What was sent to be copied: only the terminal knows whether it allows that.
+    copied(text: &str) =
+        "sent to the terminal's clipboard: {text}",
+        "enviado al portapapeles del terminal: {text}";
     /// The log has no steps.
     no_step_to_remember = "no step to remember", "no hay paso que recordar";
     /// A bookmark, and its address.
@@ -194,10 +196,10 @@ texts! {
     begins =
         "quiz: n goes to the next value, = answers it, Q ends",
         "cuestionario: n va al siguiente valor, = lo responde, Q termina";
-    /// It ends: `right` of the `asked` values were answered rightly.
-    ends(right: u32, asked: u32) =
-        "the quiz is over: {right} of {asked} right",
-        "fin del cuestionario: {right} de {asked} bien";
+    /// It ends: how many values and decisions were right at once, right later, told, passed.
+    ends([right, later, told, passed]: [u32; 4]) =
+        "the quiz is over: {right} right at the first try, {later} later, {told} told, {passed} passed unanswered",
+        "fin del cuestionario: {right} bien a la primera, {later} después, {told} dichos, {passed} pasados sin responder";
     /// There is none.
     none = "no quiz is on; Q begins one", "no hay cuestionario; Q empieza uno";
     /// The step has nothing to answer.
@@ -210,6 +212,14 @@ texts! {
         "¿qué se decide? hit (interseca), miss (no), inside (dentro), background (fondo), un objeto, ...";
     /// The answer is right.
     right = "right", "correcto";
+    /// The answer follows from the numbers as they are shown.
+    right_as_shown(value: &str) =
+        "right with the numbers as shown; the value is {value}",
+        "correcto con los números tal como se ven; el valor es {value}";
+    /// The value, and what follows from the numbers as they are shown.
+    and_as_shown(value: &str, shown: &str) =
+        "{value} ({shown} with the numbers as shown)",
+        "{value} ({shown} con los números tal como se ven)";
     /// The value is off by so much.
     off(by: &str) = "off by {by}", "se desvía en {by}";
     /// The decision is another one.
@@ -373,6 +383,14 @@ texts! {
     expected_pixel =
         "expected a column and a row, such as :pixel 160,120",
         "se esperan una columna y una fila, como :pixel 160,120";
+    /// What follows `digits`.
+    expected_decimals(most: u32) =
+        "expected the decimals of numbers, 0 to {most}: :digits 6",
+        "se esperan los decimales de los números, de 0 a {most}: :digits 6";
+    /// Numbers have so many decimals now.
+    decimals: fn(u32) -> String =
+        |count| if count == 1 { "1 decimal".to_owned() } else { format!("{count} decimals") },
+        |count| if count == 1 { "1 decimal".to_owned() } else { format!("{count} decimales") };
     /// What follows `lang`.
     expected_language = "expected a language: :lang en or :lang es", "se espera un idioma: :lang en o :lang es";
     /// The first and last columns and rows of the log.

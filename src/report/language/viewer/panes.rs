@@ -33,8 +33,10 @@ texts! {
     counting = "counting matches", "contando coincidencias";
     /// Which match, of how many.
     matches(number: &str, count: &str) = "match {number}/{count}", "coincidencia {number}/{count}";
-    /// How many were right in a quiz, of how many.
-    quiz(right: u32, asked: u32) = "quiz {right} of {asked}", "cuestionario {right} de {asked}";
+    /// How many values and decisions of a quiz were right at once, right later, told, passed.
+    quiz: fn([u32; 4]) -> String =
+        |counts| score("quiz", counts, ["right", "later", "told", "passed"]),
+        |counts| score("cuestionario", counts, ["bien", "después", "dichos", "pasados"]);
     /// Before a line that filters.
     filter = "filter: ", "filtro: ";
     /// Before a breakpoint.
@@ -47,6 +49,13 @@ texts! {
     warning = "warning: ", "aviso: ";
     /// The terminal is too small.
     too_small: [Text; 3] = ["too small:", "needs 20x6", "(q quits)"], ["pequeño:", "mínimo 20x6", "(q sale)"];
+}
+
+/// A score without what there is none of.
+fn score(quiz: &str, counts: [u32; 4], words: [&str; 4]) -> String {
+    let some = counts.iter().zip(words).filter(|(count, _)| **count > 0);
+    let some: Vec<_> = some.map(|(count, word)| format!("{count} {word}")).collect();
+    format!("{quiz} {}", some.join(", ")).trim_end().to_owned()
 }
 
 texts! {
@@ -111,6 +120,10 @@ texts! {
     rejected = "rejected", "rechazado";
     /// An object weakens the light.
     weakened_by(object: &str) = "weakened by {object}", "atenuado por {object}";
+    /// A light on the other side of the surface.
+    behind = "behind the surface", "detrás de la superficie";
+    /// A light that no shadow ray goes to, for another reason.
+    no_shadow_ray = "no shadow ray", "sin rayo de sombra";
     /// The depth limit.
     depth_limit = "depth limit", "profundidad máxima";
     /// Total internal reflection.

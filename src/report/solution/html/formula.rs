@@ -18,7 +18,7 @@ pub(super) fn equation(task: &Task, event: usize) -> Option<String> {
     let tag = tag(task.log, task.tree, event).map(|tag| (task.language.texts().solution.section)(&tag));
     let tag = tag.map_or_else(String::new, |tag| format!(" ({tag})"));
     let title = escape::xml(&format!("{}{tag}", equation.name.key()));
-    let marker = escape::xml(&digits::marker(task.language, &task.log.events[event]));
+    let marker = escape::xml(&digits::marker(task.language, task.log, task.tree, event));
     Some(format!(
         "<p class=\"eq\" id=\"e{event}\"><span title=\"{title}\">{}</span>{}<span>= <b>{}</b>{marker}</span></p>",
         symbol(equation.name.symbol()),
