@@ -16,7 +16,7 @@ pub(super) fn row(model: &Model, node: usize, theme: &Theme, room: usize) -> Vec
     let short = Parts { title: short_title(model, node, theme), ..whole.clone() };
     let outcomes = short.outcomes.iter().map(|outcome| Outcome { words: String::new(), ..outcome.clone() }).collect();
     let signs = Parts { outcomes, ..short.clone() };
-    let is_told_by_glyph = matches!(model.tree.nodes()[node].step, None | Some(Step::Shade { .. }));
+    let is_told_by_glyph = matches!(model.tree.nodes()[node].step, Some(Step::Shade { .. }));
     let title = if is_told_by_glyph { String::new() } else { short.title.clone() };
     let bare = Parts { title, outcomes: Vec::new(), ..short.clone() };
     let ways = [whole.left(hidden), whole.left(None), short.left(None), signs.left(None), bare.left(None)];
