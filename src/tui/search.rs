@@ -78,7 +78,8 @@ impl Matcher<'_> {
         let (pattern, symbol) = (self.pattern, name.symbol());
         let is_in = |text: &str| pattern.is_in(text) || pattern.is_in(&ascii(text));
         let formula = name.formula().filter(|_| self.could_be_formula);
-        let found = || pattern.is_in(name.key()) || is_in(symbol) || formula.is_some_and(is_in);
+        let is_in_formula = |formula: &str| is_in(&format!("{symbol} = {formula}"));
+        let found = || pattern.is_in(name.key()) || is_in(symbol) || formula.is_some_and(is_in_formula);
         *self.names.entry(name).or_insert_with(found)
     }
 

@@ -98,11 +98,15 @@ fn keys_of_the_viewer_mean_the_same() {
 fn values_by_hand_have_their_own_decimals() {
     let logs = [textbook(Arithmetic::Decimal(3)), textbook(Arithmetic::F64)];
     let theme = Theme::new(Palette::None, false);
-    for keys in ["", "10n", "20n", "30n", "38n"] {
+    for keys in ["", "3n", "10n", "20n", "30n", "38n"] {
         let frame = frame_after(&logs, keys, (160, 40), &theme);
-        for row in frame.lines().take(30).filter_map(|row| row.get(..row.char_indices().nth(78)?.0)) {
-            let words = row.split(|c: char| !c.is_ascii_digit() && c != '.').filter_map(|word| word.split_once('.'));
-            assert!(words.clone().all(|(_, decimals)| decimals.len() <= 3), "{row}\n{frame}");
+        // The left half of the rows, and the left log's computation.
+        let left = frame.lines().take(30).map(|row| row.chars().take(78).collect::<String>());
+        let computed = frame.lines().filter(|line| line.starts_with("A: ")).map(str::to_owned);
+        for row in left.chain(computed) {
+            let mut words =
+                row.split(|c: char| !c.is_ascii_digit() && c != '.').filter_map(|word| word.split_once('.'));
+            assert!(words.all(|(_, decimals)| decimals.len() <= 3), "{row}\n{frame}");
         }
     }
 }

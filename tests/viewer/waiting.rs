@@ -40,7 +40,7 @@ fn a_screenshot_waits_for_what_it_shows_only() {
     for screen in ["60x20", "100x28"] {
         let file = folder.path().join(format!("{screen}.svg"));
         let mut walk = assert_cmd::Command::cargo_bin("raywalk").expect("the program");
-        walk.args(["walk", "textbook", "--sampling", "regular:16", "--size", "30000x20000", "--pixel", "15000,10000"]);
+        walk.args(["walk", "textbook", "--sampling", "regular:16", "--size", "15000x10000", "--pixel", "7500,5000"]);
         walk.args(["--screen", screen, "--screenshot"]).arg(&file).timeout(Duration::from_secs(120)).assert().success();
         let picture = std::fs::read_to_string(&file).expect("it was written");
         assert!(!picture.contains(" %"), "all that is seen is there");
@@ -52,7 +52,7 @@ fn a_screenshot_waits_for_what_it_shows_only() {
 fn what_takes_long_is_said() {
     let mut session = Session::start(&["walk", "textbook"], 80, 24);
     session.shows("step 1/");
-    assert!(session.has_written("reading textbook ...") && session.has_written("tracing the pixel ..."));
+    assert!(session.has_written("reading textbook.json ...") && session.has_written("tracing the pixel ..."));
     session.press("q");
     session.ends_with(0);
 }

@@ -270,6 +270,7 @@ impl Comparing<'_> {
         let digits = values.iter().map(|(a, b)| telling_apart(a, b, self.tolerance.digits).digits).max();
         let style = digits.map_or(Style::default(), |digits| Style::default().with(digits));
         let line = |run: Run, event| {
+            let style = style.within(&run.log.header);
             computation(Language::English, run.log, run.tree, event, style).map(|computation| computation.line())
         };
         Some([line(self.causes.a, ours)?, line(self.causes.b, theirs)?])

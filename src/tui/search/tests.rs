@@ -83,6 +83,7 @@ fn what_nodes_came_to_is_found() {
     finds(&log, "T2_A ≥ 0: 6.380 ≥ 0", 1);
     finds(&log, "r² − L2oc", search(&log, "T2_A").found.len());
     finds(&log, "V_d = -0.946", 1);
+    finds(&log, "P = O + d·t", search(&log, "hit.point").found.len());
     finds(&log, "C R reflected", 1);
     let is_behind =
         |what: &What| matches!(what, What::Mark(Decision::Skipped { why: crate::log::SkipReason::Behind, .. }));
