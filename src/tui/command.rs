@@ -2,9 +2,10 @@
 
 use super::effect::{Effect, Exit};
 use super::keys::Walk;
+use super::model::list::Kind;
 use super::model::prompt::Purpose;
 use super::model::{Model, breakpoint};
-use super::{bookmarks, breakpoints, jumps, search, walk};
+use super::{bookmarks, breakpoints, jumps, search, understanding, walk};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
 use crate::report::language::Language;
@@ -48,11 +49,22 @@ impl Argument {
 
 /// Every command; a beginning that only one of them has stands for it.
 const COMMANDS: &[Command] = &[
+    Command { name: "book", argument: Argument::Nothing, run: |model, _| Ok(understanding::open(model, Kind::Book)) },
     Command { name: "bookmark", argument: Argument::Letter, run: bookmark },
     Command { name: "bookmarks", argument: Argument::Nothing, run: |model, _| go(model, Walk::Marks) },
     Command { name: "break", argument: Argument::Condition, run: |model, text| plainly(breakpoints::add(model, text)) },
     Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| go(model, Walk::Breakpoints) },
+    Command {
+        name: "causes",
+        argument: Argument::Nothing,
+        run: |model, _| Ok(understanding::open(model, Kind::Causes)),
+    },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
+    Command {
+        name: "glossary",
+        argument: Argument::Nothing,
+        run: |model, _| Ok(understanding::open(model, Kind::Glossary)),
+    },
     Command { name: "grow", argument: Argument::Nothing, run: |model, _| go(model, Walk::Grow) },
     Command { name: "help", argument: Argument::Nothing, run: |model, _| Ok(walk::open_help(model)) },
     Command { name: LANG, argument: Argument::Language, run: language },

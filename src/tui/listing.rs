@@ -11,7 +11,7 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
         Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints_title, &[], breakpoints::entries(model)),
         Kind::Stops => Listing::of(&texts.stops, texts.stops_title, &[0], run::entries(model)),
         Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks_title, &[], bookmarks::entries(model)),
-        Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => {
+        _ => {
             // Made when it was opened.
             let opened = model.understanding.listing.as_ref().filter(|(of, _)| *of == kind);
             opened.map(|(_, listing)| listing.clone()).unwrap_or_default()

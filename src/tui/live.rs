@@ -10,7 +10,9 @@ use super::model::picture::{Image, PictureView};
 use super::{bookmarks, jumps, search, understanding};
 use crate::log::tree::Place;
 use crate::log::{Log, Subject, Tree};
+use crate::report::causes::Study;
 use crate::report::language::Language;
+use crate::report::paper::Paper;
 use std::mem;
 use std::sync::Arc;
 
@@ -32,6 +34,16 @@ pub trait Live {
     /// The logs of the same pixel or ray in other arithmetics: by hand, in single precision, in f64 with the digits that can
     /// be trusted.
     fn compare(&mut self, subject: Subject) -> Result<Vec<Log>, Refusal>;
+
+    /// Which rounding caused the error of the result of the same pixel or ray: in the viewer's arithmetic, or by hand if that rounds nothing.
+    fn study(&mut self, _subject: Subject) -> Result<Study, Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    /// The worked example that this pixel of the scene is.
+    fn book(&mut self, _subject: Subject) -> Result<Paper, Refusal> {
+        Err(Refusal::NoExample)
+    }
 }
 
 /// Why there is no log.
@@ -43,6 +55,10 @@ pub enum Refusal {
     OnePixelPrinted,
     /// A region has too many values to be compared.
     RegionsNotCompared,
+    /// No book has this pixel as its example.
+    NoExample,
+    /// It has more quantities than this, too many to study the rounding of each.
+    TooManyQuantities(usize),
     /// It would have more events than this.
     TooLong(usize),
     /// There is no memory for it.
@@ -59,6 +75,8 @@ impl Refusal {
             Refusal::NoScene => messages.no_scene.to_owned(),
             Refusal::OnePixelPrinted => messages.one_pixel_printed.to_owned(),
             Refusal::RegionsNotCompared => messages.regions_not_compared.to_owned(),
+            Refusal::NoExample => messages.no_example.to_owned(),
+            Refusal::TooManyQuantities(most) => (messages.too_many_quantities)(*most),
             Refusal::TooLong(most) => (messages.too_long)(*most),
             Refusal::NoMemory => messages.no_memory.to_owned(),
             Refusal::Other(why) => why.clone(),
@@ -79,6 +97,14 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
         (Effect::Compare, Some(live)) => live.compare(model.log.header.subject).map(|logs| {
             model.others = logs;
             understanding::open(model, Kind::Arithmetics);
+        }),
+        (Effect::Study, Some(live)) => live.study(model.log.header.subject).map(|study| {
+            model.understanding.study = Some(Arc::new(study));
+            understanding::open(model, Kind::Causes);
+        }),
+        (Effect::Book, Some(live)) => live.book(model.log.header.subject).map(|book| {
+            model.understanding.book = Some(Arc::new(book));
+            understanding::open(model, Kind::Book);
         }),
     };
     if let Err(why) = asked {
@@ -113,7 +139,7 @@ pub fn show_log(model: &mut Model, log: Log) {
     model.guide.folds.restore(model.pixel(), &mut model.fold);
     model.others.clear();
     // A quiz goes on; what was opened was of the other log.
-    model.understanding.listing = None;
+    (model.understanding.listing, model.understanding.study, model.understanding.book) = (None, None, None);
     let (Ok(event) | Err(event)) = place.find(&model.log, &model.tree);
     model.go_to_event(event);
     if let (Some(view), Subject::Pixel(pixel)) = (&mut model.picture, model.log.header.subject) {

@@ -88,6 +88,8 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Uses => return understanding::open(model, Kind::Uses),
         Action::Contributions => return understanding::open(model, Kind::Contributions),
         Action::Arithmetics => return understanding::open(model, Kind::Arithmetics),
+        Action::Causes => return understanding::open(model, Kind::Causes),
+        Action::Glossary => return understanding::open(model, Kind::Glossary),
         Action::Back => return jumps::back(model),
         Action::Quiz => quiz::toggle(model),
         Action::Answer => quiz::ask(model),

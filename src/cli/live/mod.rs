@@ -3,12 +3,17 @@
 pub mod drawing;
 mod picture;
 
+use crate::cli::textbook::scene_of;
 use glam::DVec3;
 use picture::Rendering;
 use raywalk::log::{Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
+use raywalk::report::causes::Study;
+use raywalk::report::paper::Paper;
 use raywalk::scene::Scene;
+use raywalk::study::rounding::{self, MAX_CAUSES, Rounding};
+use raywalk::study::textbook::{self, Example};
 use raywalk::tui::{Drawing, Image, Live, Refusal};
 use std::sync::Arc;
 
@@ -28,11 +33,26 @@ impl Session {
     }
 
     fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, Refusal> {
-        record::bounded(&self.scene, part, arithmetic).map_err(|cut_off| match cut_off {
-            CutOff::TooLong { most } => Refusal::TooLong(most),
-            CutOff::Memory => Refusal::NoMemory,
-            CutOff::Io(error) => Refusal::Other(error.to_string()),
-        })
+        record::bounded(&self.scene, part, arithmetic).map_err(refusal)
+    }
+}
+
+fn refusal(cut_off: CutOff) -> Refusal {
+    match cut_off {
+        CutOff::TooLong { most } => Refusal::TooLong(most),
+        CutOff::Memory => Refusal::NoMemory,
+        CutOff::Io(error) => Refusal::Other(error.to_string()),
+    }
+}
+
+/// The part of a scene that is traced for a subject.
+fn part_of(subject: Subject) -> Result<Part, Refusal> {
+    match subject {
+        Subject::Pixel(pixel) => Ok(Part::Pixel(pixel)),
+        Subject::Ray([ox, oy, oz, dx, dy, dz]) => {
+            Ok(Part::Ray { origin: DVec3::new(ox, oy, oz), direction: DVec3::new(dx, dy, dz) })
+        }
+        Subject::Region(_) => Err(Refusal::RegionsNotCompared),
     }
 }
 
@@ -60,15 +80,27 @@ impl Live for Session {
     }
 
     fn compare(&mut self, subject: Subject) -> Result<Vec<Log>, Refusal> {
-        let part = match subject {
-            Subject::Pixel(pixel) => Part::Pixel(pixel),
-            Subject::Ray([ox, oy, oz, dx, dy, dz]) => {
-                Part::Ray { origin: DVec3::new(ox, oy, oz), direction: DVec3::new(dx, dy, dz) }
-            }
-            Subject::Region(_) => return Err(Refusal::RegionsNotCompared),
-        };
+        let part = part_of(subject)?;
         // The perturbed runs say how many digits of f64 can be trusted.
         let arithmetics = [Arithmetic::Decimal(3), Arithmetic::F32, Arithmetic::F64, Arithmetic::Perturbed(0)];
         arithmetics.into_iter().map(|arithmetic| self.log(part, arithmetic)).collect()
+    }
+
+    fn study(&mut self, subject: Subject) -> Result<Study, Refusal> {
+        let rounding = Rounding::of(self.arithmetic).unwrap_or(Rounding::Decimal(3));
+        rounding::study(&self.scene, part_of(subject)?, rounding).map_err(|cut_off| match cut_off {
+            CutOff::TooLong { .. } => Refusal::TooManyQuantities(MAX_CAUSES),
+            other => refusal(other),
+        })
+    }
+
+    fn book(&mut self, subject: Subject) -> Result<Paper, Refusal> {
+        let (digest, size) = (&self.scene.digest, self.scene.camera.resolution);
+        let is_middle = subject == Subject::Pixel(size.map(|side| side / 2));
+        let examples = Example::ALL.into_iter().filter(|_| is_middle);
+        let scenes = examples.filter_map(|example| Some((example, scene_of(example).ok()?)));
+        let is_it = |scene: &Scene| scene.digest == *digest && scene.camera.resolution == size;
+        let (example, scene) = scenes.into_iter().find(|(_, scene)| is_it(scene)).ok_or(Refusal::NoExample)?;
+        Ok(Paper { scene: example.scene(), rows: textbook::table(example, &scene).steps })
     }
 }

@@ -20,6 +20,12 @@ pub enum Kind {
     Contributions,
     /// The selected node's values in several arithmetics.
     Arithmetics,
+    /// Which rounding caused the error of the result.
+    Causes,
+    /// The worked example that the log is of.
+    Book,
+    /// What the symbols mean.
+    Glossary,
 }
 
 impl Kind {
@@ -76,8 +82,16 @@ impl Listing {
     }
 }
 
+/// The most entries of a list: nobody reads more, and a frame must not wait for them.
+pub const MOST: usize = 500;
+
 /// What is between two cells in the text of an entry.
 pub const CELL_END: char = '\t';
+
+/// The text of an entry with these cells.
+pub fn cells<const N: usize>(cells: [String; N]) -> String {
+    cells.join(CELL_END.encode_utf8(&mut [0; 4]))
+}
 
 /// An entry of a list.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use crate::log::{Decision, RayKind, Step, What};
 use crate::report::words;
 use crate::tui::model::Model;
-use crate::tui::text::{Piece, shown};
+use crate::tui::text::{Piece, counted, shown};
 use crate::tui::theme::{Role, Theme};
 
 /// A node in a row of its own: what it is, how much it hides when it is closed, and what it came to.
@@ -35,10 +35,10 @@ fn name(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
     vec![(format!("{glyph} "), theme.style(role)), (title, theme.style(role))]
 }
 
-/// The path of a ray. Of a long one only the end: the nodes around it have the rest.
+/// The path of a ray, its repetitions counted. Of a long one only the end: the nodes around it have the rest.
 fn end_of_path(model: &Model, node: usize) -> String {
     const LONG: usize = 4;
-    let path = model.tree.shown_path(node);
+    let path = counted(&model.tree.shown_path(node));
     match path.rmatch_indices(' ').nth(LONG - 1) {
         Some((end, _)) => format!("…{}", &path[end..]),
         None => path,

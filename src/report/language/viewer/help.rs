@@ -89,6 +89,10 @@ texts! {
     arithmetics =
         "the node's values by hand, in f32 and in f64, with the digits to trust",
         "los valores del nodo a mano, en f32 y en f64, con las cifras fiables";
+    causes =
+        "which rounding caused the error of the result",
+        "qué redondeo causó el error del resultado";
+    glossary = "what the symbols mean", "qué significan los símbolos";
     quiz =
         "begin or end a quiz, which hides results and decisions",
         "empezar o terminar un cuestionario, que oculta resultados y decisiones";
@@ -147,6 +151,9 @@ texts! {
     filter =
         "show only rows that match; nothing typed shows all",
         "mostrar solo las filas que coinciden; sin texto se muestran todas";
+    tests =
+        "hide the intersection tests, or show them again",
+        "ocultar las pruebas de intersección, o mostrarlas otra vez";
     mark = "set a bookmark here", "poner un marcador aquí";
     go_to_mark = "go to a bookmark", "ir a un marcador";
     jump_back = "go back to before the last jump", "volver a antes del último salto";

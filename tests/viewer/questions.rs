@@ -1,0 +1,176 @@
+//! Where people got stuck: which rounding caused the error, the example on paper, and what is asked for in the first minutes.
+
+use crate::support::{scene, snapshots};
+use raywalk::log::{Log, Name, RayKind, Subject, What};
+use raywalk::record::{self, Arithmetic, Part};
+use raywalk::report::causes::Study;
+use raywalk::report::language::Language;
+use raywalk::report::paper::Paper;
+use raywalk::study::rounding::{self, Rounding};
+use raywalk::study::textbook::{Example, table};
+use raywalk::tui::{self, Live, Model, Options, Palette, Refusal, Theme, dump::dump};
+
+/// The numeric example, by hand.
+struct ByHand;
+
+const MIDDLE: [u32; 2] = [160, 120];
+
+impl Live for ByHand {
+    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, Refusal> {
+        Ok(record::pixel(&scene("textbook"), pixel, Arithmetic::Decimal(3)))
+    }
+
+    fn compare(&mut self, _: Subject) -> Result<Vec<Log>, Refusal> {
+        let arithmetics = [Arithmetic::Decimal(3), Arithmetic::F32, Arithmetic::F64, Arithmetic::Perturbed(0)];
+        Ok(arithmetics.map(|arithmetic| record::pixel(&scene("textbook"), MIDDLE, arithmetic)).into())
+    }
+
+    fn study(&mut self, _: Subject) -> Result<Study, Refusal> {
+        rounding::study(&scene("textbook"), Part::Pixel(MIDDLE), Rounding::Decimal(3)).map_err(|_| Refusal::NoMemory)
+    }
+
+    fn book(&mut self, subject: Subject) -> Result<Paper, Refusal> {
+        let example = Example::Textbook;
+        match subject {
+            Subject::Pixel(MIDDLE) => {
+                Ok(Paper { scene: example.scene(), rows: table(example, &scene("textbook")).steps })
+            }
+            _ => Err(Refusal::NoExample),
+        }
+    }
+}
+
+fn model_after(keys: &str, language: Language, size: (u16, u16)) -> Model {
+    let theme = Theme::new(Palette::None, false);
+    let options = Options { theme, start: None, warning: None, note: None, numbers: Default::default(), language };
+    let log = record::pixel(&scene("textbook"), MIDDLE, Arithmetic::Decimal(3));
+    tui::opened_with_keys(log, &options, Some(&mut ByHand), keys, size)
+}
+
+fn frame_in(language: Language, keys: &str, (width, height): (u16, u16)) -> String {
+    dump(&tui::frame(&model_after(keys, language, (width, height)), width, height, &Theme::new(Palette::None, false)))
+}
+
+/// After these keys the numeric example is at this quantity of the ray with this path.
+#[track_caller]
+fn leads_to(keys: &str, path: &str, name: Name) {
+    let model = model_after(keys, Language::English, (100, 30));
+    let What::Note { name: found, .. } = model.log.events[model.event].what else { panic!("no value after {keys}") };
+    assert_eq!((model.tree.path(model.cursor).as_str(), found.key()), (path, name.key()), "after {keys}");
+    assert_eq!(model.overlay, None, "after {keys}");
+}
+
+/// The lists in both languages at three sizes.
+fn frames(name: &str, keys: &str) {
+    snapshots().bind(|| {
+        for (language, code) in [(Language::English, ""), (Language::Spanish, "_es")] {
+            for (width, height) in [(40, 12), (80, 24), (140, 40)] {
+                let frame = frame_in(language, keys, (width, height));
+                insta::assert_snapshot!(format!("viewer_{name}_{width}x{height}{code}"), frame);
+            }
+        }
+    });
+}
+
+#[test]
+fn which_rounding_caused_the_error() {
+    frames("causes", "W");
+    // The greatest first: of the camera ray's direction, of the reflected one, and so on.
+    leads_to("W Enter", "C", Name::RayDirection);
+    leads_to("W j Enter", "C", Name::ReflectDirection);
+    leads_to(":causes Enter j Enter ^o W Enter", "C", Name::RayDirection);
+    let shown = frame_in(Language::English, "W", (140, 40));
+    for expected in ["rounded    (394.134,", "in f64     (393.054,", "off by     (+1.080,"] {
+        assert!(shown.contains(expected), "{expected}\n{shown}");
+    }
+    // A quiz doesn't tell, and neither does a tree that grows.
+    for keys in ["Q W", "t W", "Q :book Enter", "t :book Enter"] {
+        assert_eq!(model_after(keys, Language::English, (100, 30)).overlay, None, "after {keys}");
+    }
+}
+
+#[test]
+fn the_example_as_it_is_printed() {
+    frames("book", ":book Enter");
+    leads_to(":book Enter Enter", "C", Name::RayLength);
+    leads_to(":book Enter 11j Enter", "C R", Name::SphereT2a);
+    // The book shades the sphere before the plane.
+    leads_to(":book Enter 15j Enter", "C R", Name::LightVector);
+    leads_to(":book Enter G Enter", "C", Name::CombineColor);
+    let model = model_after("k :book Enter", Language::English, (100, 30));
+    assert!(model.overlay.is_some());
+    let elsewhere = model_after(":pixel 3,4 Enter :book Enter", Language::English, (100, 30));
+    let said = elsewhere.message.as_ref().map(|message| message.text.as_str()).unwrap_or_default();
+    assert!(elsewhere.overlay.is_none() && said.starts_with("no book has this pixel"), "{said}");
+}
+
+#[test]
+fn the_pixel_s_colour_in_all_arithmetics() {
+    let shown = frame_in(Language::English, "g a", (140, 40));
+    for expected in ["colour 1  394.134", "393.0543292251"] {
+        assert!(shown.contains(expected), "{expected}\n{shown}");
+    }
+}
+
+/// The rows of the tree, from its first on, without the lines before them.
+fn rows(model: &Model) -> Vec<String> {
+    let nodes = std::iter::successors(Some(0), |row| model.fold.below(&model.tree, *row));
+    nodes.map(|node| model.title(node)).collect()
+}
+
+#[test]
+fn without_tests_the_tree_is_that_of_figure_7() {
+    let figure = [
+        "pixel 160,120",
+        "ray C, from the eye",
+        "local model on plane",
+        "light F",
+        "ray C S1, shadow ray to F",
+        "ray C R, reflected",
+        "local model on sphere",
+        "light F",
+        "ray C R S1, shadow ray to F",
+        "weighted sum",
+        "weighted sum",
+    ];
+    let model = model_after("T", Language::English, (100, 30));
+    assert_eq!(rows(&model), figure);
+    let everything = rows(&model_after("T T", Language::English, (100, 30)));
+    assert_eq!(everything.len(), model.tree.nodes().len());
+    let tests = everything.iter().filter(|row| row.starts_with("test ")).count();
+    assert_eq!(everything.len() - tests, figure.len());
+    // What one steps to is seen all the same, and the filter goes with it.
+    let at_test = model_after("T 3n", Language::English, (100, 30));
+    assert_eq!(rows(&at_test).len(), figure.len() + 1);
+    let reflected = ["pixel 160,120", "ray C, from the eye", "ray C R, reflected"];
+    let sum = ["local model on sphere", "light F", "ray C R S1, shadow ray to F", "weighted sum"];
+    let filtered = rows(&model_after("T f reflected Enter", Language::English, (100, 30)));
+    assert_eq!(filtered, [reflected.as_slice(), sum.as_slice()].concat());
+    let in_spanish = rows(&model_after("f reflected Enter T", Language::Spanish, (100, 30)));
+    assert_eq!(in_spanish.len(), filtered.len());
+    frames("no_tests", "T");
+}
+
+#[test]
+fn a_filter_leaves_what_is_transmitted() {
+    let text = scene("figure-8");
+    let pixel = text.camera.resolution.map(|side| side / 2);
+    let log = record::pixel(&text, pixel, Arithmetic::F64);
+    let theme = Theme::new(Palette::None, false);
+    let options = Options {
+        theme,
+        start: None,
+        warning: None,
+        note: None,
+        numbers: Default::default(),
+        language: Language::English,
+    };
+    let model = tui::opened_with_keys(log, &options, None, "f transmitted Enter E", (100, 30));
+    let is_brought = |node: usize| model.tree.around(node).any(|at| model.tree.ray(at) == Some(RayKind::Transmitted));
+    let shown: Vec<_> = std::iter::successors(Some(0), |row| model.fold.below(&model.tree, *row)).collect();
+    let around = |node: usize| (node..model.tree.nodes()[node].subtree_end).any(is_brought);
+    assert!(shown.iter().all(|node| is_brought(*node) || around(*node)));
+    let brought = (0..model.tree.nodes().len()).filter(|node| is_brought(*node)).count();
+    assert_eq!(shown.iter().filter(|node| is_brought(**node)).count(), brought);
+    assert!(brought > 5, "{brought}");
+}
