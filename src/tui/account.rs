@@ -19,7 +19,9 @@ pub(super) fn listing(model: &Model) -> Listing {
     let mut entries: Vec<_> = shown.iter().map(|group| contribution(model, &account, group)).collect();
     if !small.is_empty() {
         let share: f64 = small.iter().map(|group| group.sum.share).sum();
-        let rest = format!("{}\t\t\t{}", model.language.percent(share), (texts.smaller)(small.len()));
+        let mut row: [String; 9] = Default::default();
+        (row[0], row[3]) = (model.language.percent(share), (texts.smaller)(small.len()));
+        let rest = cells(row);
         entries.push(Entry::plain(rest, Role::Faint));
     }
     for part in &rounding {
@@ -108,10 +110,10 @@ fn total(model: &Model, account: &Account, total: &Total) -> Entry {
         Common::Ray(kind) => words::ray_kind(language, header, kind),
         Common::Other(origin) => words::origin(language, header, origin),
     };
-    let nothing = String::new;
-    let (share, color) = (language.percent(total.share), model.color(total.color));
-    let channels = channels(&total.color, account);
-    let text = cells([share, nothing(), nothing(), of, nothing(), nothing(), channels, color, nothing()]);
+    let mut row: [String; 9] = Default::default();
+    (row[0], row[3]) = (language.percent(total.share), of);
+    (row[6], row[7]) = (channels(&total.color, account), model.color(total.color));
+    let text = cells(row);
     Entry { target: total.event, ..Entry::plain(text, Role::Text) }
 }
 

@@ -23,6 +23,10 @@ pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
         model.say(why);
         return Effect::None;
     }
+    if kind == Kind::Worst && model.picture.is_none() {
+        model.say(model.texts().messages.no_scene);
+        return Effect::None;
+    }
     if kind == Kind::Arithmetics && model.others.is_empty() {
         return Effect::Compare;
     }
@@ -61,6 +65,7 @@ fn make(model: &Model, kind: Kind) -> Listing {
         Kind::Causes => paper::causes(model),
         Kind::Book => paper::book(model),
         Kind::Glossary => glossary::listing(model),
+        Kind::Worst => worst(model),
         _ => arithmetics(model),
     }
 }
@@ -144,6 +149,20 @@ fn arithmetics(model: &Model) -> Listing {
     let title = (texts.title)(&model.title(model.cursor));
     // The digits that can be trusted are those of f64; it is the widest, and so the last.
     Listing::of(&texts.list, title, &[1, 2, 3, 4], entries)
+}
+
+/// The pixels that single precision misses most, as far as that is known yet.
+fn worst(model: &Model) -> Listing {
+    let texts = &model.texts().lists;
+    let ranked = model.picture.as_ref().map(|view| (view, view.image.ranked(|dot| dot.error)));
+    let entries = ranked.iter().flat_map(|(view, ranked)| {
+        ranked.iter().filter(|(_, error)| *error > 0.0).take(MOST).map(|(pixel, error)| {
+            let color = view.image.at(*pixel).map_or(String::new(), |dot| model.color(dot.color));
+            let text = cells([model.value(&Value::Number(*error)), format!("{},{}", pixel[0], pixel[1]), color]);
+            Entry { pixel: Some(*pixel), ..Entry::plain(text, Role::Text) }
+        })
+    });
+    Listing::of(&texts.worst, texts.worst_title, &[], entries.collect())
 }
 
 /// A line a component.

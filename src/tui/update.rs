@@ -104,7 +104,8 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Quit => return Effect::Leave(Exit::Quit),
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
-        Action::ZoomIn | Action::ZoomOut | Action::Brighter | Action::Darker | Action::NextView => {
+        Action::Worst => return understanding::open(model, Kind::Worst),
+        Action::ZoomIn | Action::ZoomOut | Action::Brighter | Action::Darker | Action::NextView | Action::CellLeft => {
             model.say(model.texts().messages.other_pane);
         }
         Action::Unknown => model.say(model.texts().messages.no_key),

@@ -174,3 +174,49 @@ fn a_filter_leaves_what_is_transmitted() {
     assert_eq!(shown.iter().filter(|node| is_brought(**node)).count(), brought);
     assert!(brought > 5, "{brought}");
 }
+
+#[test]
+fn symbols_are_explained() {
+    // At T2_A it comes first.
+    let shown = frame_in(Language::English, "/ T2_A Enter V", (140, 40));
+    let lines: Vec<_> = shown.lines().skip_while(|line| !line.contains("Here:")).collect();
+    let expected = "square of half the chord; negative if the ray passes beside the sphere";
+    assert!(lines[1].contains("T2_A") && lines[1].contains(expected), "{shown}");
+    leads_to("/ T2_A Enter V Enter", "C", Name::SphereT2a);
+    for keys in ["V", "F2", ":glossary Enter"] {
+        let whole = frame_in(Language::English, keys, (140, 120));
+        for expected in ["V_d", "normal · direction; 0 if", "L(D|S)E", "class of a path of light", "Here:", "Signs:"] {
+            assert!(whole.contains(expected), "{expected} after {keys}\n{whole}");
+        }
+    }
+    // In a quiz only what was computed is there.
+    assert!(!frame_in(Language::English, "Q V", (140, 120)).contains("T2_A"));
+    frames("glossary", "V");
+}
+
+#[test]
+fn hints_are_those_of_the_pane_and_the_mode() {
+    let bottom = |keys: &str, width: u16| {
+        let frame = frame_in(Language::English, keys, (width, 40));
+        frame.lines().nth(39).unwrap_or_default().to_owned()
+    };
+    let in_tree = bottom("", 140);
+    for hint in ["w why  d made of  a digits  / find  b break  T no tests", "? help  q quit"] {
+        assert!(in_tree.contains(hint), "{in_tree}");
+    }
+    assert!(bottom("Tab", 140).contains("n next value  d made of  D used in"), "{}", bottom("Tab", 140));
+    assert!(bottom("/ plane Enter", 140).contains("; next  , previous  n next value"));
+    assert!(bottom("Q n", 140).contains("= answer  Q end"));
+    assert!(bottom("", 40).ends_with("? help  q quit"), "{}", bottom("", 40));
+    assert!(bottom("/ plane Enter", 80).ends_with("; next  , previous"), "{}", bottom("/ plane Enter", 80));
+    for (keys, width, expected) in [
+        ("zo", 80, "raywalk: pixel 160,120 of textbook, 98 steps - decimal:3"),
+        ("", 200, "raywalk: pixel 160,120 of textbook - decimal:3"),
+        ("", 140, "pixel 160,120 of textbook - decimal:3"),
+        ("zo", 40, "raywalk: textbook - decimal:3"),
+        ("", 80, "textbook - decimal:3"),
+    ] {
+        let shown = frame_in(Language::English, keys, (width, 40));
+        assert!(shown.lines().next().is_some_and(|title| title.contains(expected)), "{expected}\n{shown}");
+    }
+}

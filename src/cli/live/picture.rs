@@ -33,7 +33,11 @@ impl Rendering {
     pub fn start(scene: Arc<Scene>, arithmetic: Arithmetic, whole: bool) -> Rendering {
         let output = scene.output;
         let levels = move |color: [f64; 3], stops: f64| export::levels(color, &output, stops);
-        let empty = Image::empty(scene.camera.resolution, Arc::new(levels));
+        let mut empty = Image::empty(scene.camera.resolution, Arc::new(levels));
+        // Who asks for an exposure gets it.
+        if output.exposure == 0.0 {
+            empty.white = output.white;
+        }
         let shared =
             Arc::new(Shared { latest: Mutex::new(Some(Arc::new(empty.clone()))), stop: AtomicBool::new(false) });
         if whole {

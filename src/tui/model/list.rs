@@ -26,6 +26,8 @@ pub enum Kind {
     Book,
     /// What the symbols mean.
     Glossary,
+    /// The pixels that single precision misses most.
+    Worst,
 }
 
 impl Kind {
@@ -102,6 +104,8 @@ pub struct Entry {
     pub role: Role,
     /// The event that `Enter` goes to; that of a stop may be of another pixel.
     pub target: Option<usize>,
+    /// The pixel that it goes to instead.
+    pub pixel: Option<[u32; 2]>,
     /// Whether it is only a heading of those below, which can't be selected.
     pub is_heading: bool,
 }
@@ -114,12 +118,17 @@ impl Entry {
 
     /// An entry that leads nowhere.
     pub fn plain(text: String, role: Role) -> Entry {
-        Entry { text, role, target: None, is_heading: false }
+        Entry { text, role, target: None, pixel: None, is_heading: false }
     }
 
     /// A heading of the entries below.
     pub fn heading(text: String) -> Entry {
         Entry { is_heading: true, ..Entry::plain(text, Role::Title) }
+    }
+
+    /// Whether it leads anywhere.
+    pub fn leads(&self) -> bool {
+        self.target.is_some() || self.pixel.is_some()
     }
 
     /// Whether it is laid out in the columns of its list, not across them.

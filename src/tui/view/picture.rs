@@ -1,9 +1,10 @@
 //! The picture, two dots to a character: half blocks, or shades where there are no colours.
 
 use super::{put, title};
-use crate::log::Value;
+use crate::log::{Decision, RayKind, Value};
+use crate::report::words;
 use crate::tui::model::layout::Layout;
-use crate::tui::model::picture::{Dot, Layer, PictureView};
+use crate::tui::model::picture::{Layer, PictureView};
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Palette, Theme, of_index};
@@ -25,21 +26,55 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
             target.set_symbol(symbol).set_style(style);
         }
     }
+    draw_bar(model, &brush, area, buffer);
     let below = Rect { y: dots.bottom(), height: body.height - dots.height, ..body };
     put(buffer, below, Line::raw(shown(&under_cursor(model, view, usize::from(below.width)), theme)));
+}
+
+/// The columns of the colour bar.
+const BAR: u16 = 12;
+
+/// The colour bar in the rule above a picture in false colours, where the name leaves blanks for it.
+fn draw_bar(model: &Model, brush: &Brush, area: Rect, buffer: &mut Buffer) {
+    if brush.range.is_none() {
+        return;
+    }
+    let name = name(model, brush.view, brush.range, brush.theme);
+    let Some(before) = name.split(&bar()).next().filter(|before| before.len() < name.len()) else { return };
+    let start = area.x.saturating_add(3 + width_of(before) as u16);
+    for column in 0..BAR {
+        let color = false_color(f64::from(column) / f64::from(BAR - 1));
+        let place = Rect { x: start.saturating_add(column), width: 1, height: 1, ..area }.intersection(area);
+        let symbol = if brush.has_shades() { brush.shade(luminance(color)) } else { "█" };
+        let style = Style::reset().fg(brush.terminal_color(color));
+        for position in place.intersection(buffer.area).positions() {
+            if let Some(cell) = buffer.cell_mut(position) {
+                cell.set_symbol(symbol).set_style(style);
+            }
+        }
+    }
+}
+
+/// The blanks that the colour bar takes.
+fn bar() -> String {
+    " ".repeat(usize::from(BAR))
 }
 
 fn name(model: &Model, view: &PictureView, range: Option<[f64; 2]>, theme: &Theme) -> String {
     let figure = |value| model.language.marked(figure(value));
     let mut name = view.layer.word(model.language).to_owned();
     if let Some([least, greatest]) = range {
-        name += &format!(" {} … {}", figure(least), figure(greatest));
+        name += &format!(" {} {} {}", figure(least), bar(), figure(greatest));
     }
-    if view.exposure != 0 && view.layer == Layer::Colors {
-        let stops = model.language.marked(format!("{:+.1}", f64::from(view.exposure) / 2.0));
-        name += &format!(" {}", (model.texts().panes.picture.exposure)(&stops));
+    if view.stops() != 0.0 && view.layer == Layer::Colors {
+        name += &format!(" {}", (model.texts().panes.picture.exposure)(&stops(model, view.stops())));
     }
     shown(&name, theme)
+}
+
+/// Stops of exposure with their sign.
+fn stops(model: &Model, stops: f64) -> String {
+    model.language.marked(format!("{stops:+.1}"))
 }
 
 /// A figure of a layer: a count, or a number with three digits.
@@ -59,23 +94,43 @@ fn under_cursor(model: &Model, view: &PictureView, room: usize) -> String {
     let place = format!("{x},{y}");
     // The colour is what a quiz asks for.
     let Some(dot) = view.image.at(view.cursor).filter(|_| model.understanding.quiz.is_none()) else { return place };
-    let place = match view.layer.of(dot) {
-        Some(value) => {
-            format!("{place}  {} {}", view.layer.word(model.language), model.language.marked(figure(value)))
-        }
-        None => place,
-    };
     let texts = &model.texts().panes.picture;
+    let named = object(model).map_or_else(|| place.clone(), |object| format!("{place} {object}"));
+    let value = view.layer.of(dot).map_or(String::new(), |value| {
+        format!("  {} {}", view.layer.word(model.language), model.language.marked(figure(value)))
+    });
+    let fitting = match view.layer {
+        Layer::Colors if view.fitting != 0 => {
+            format!("  {}", (texts.fitting)(&stops(model, f64::from(view.fitting) / 2.0)))
+        }
+        _ => String::new(),
+    };
     let linear = model.color(dot.color);
     let levels = (texts.levels)((view.image.levels)(dot.color, 0.0));
     let depth = dot.depth.map(|depth| format!("  {}", (texts.depth)(&model.value(&Value::Number(depth)))));
     let counts = format!("{}  {}", depth.unwrap_or_default(), (texts.rays)(dot.rays));
     let texts = [
-        format!("{place}  {linear}  {levels}{counts}"),
-        format!("{place}  {linear}  {levels}"),
-        format!("{place}  {linear}"),
+        format!("{named}{value}  {linear}  {levels}{fitting}{counts}"),
+        format!("{named}{value}  {linear}  {levels}{fitting}"),
+        format!("{named}{value}  {linear}{fitting}"),
+        format!("{named}{value}  {linear}"),
+        format!("{place}{value}  {linear}"),
+        format!("{named}{value}"),
+        format!("{place}{value}"),
     ];
     texts.into_iter().find(|text| width_of(text) <= room).unwrap_or(place)
+}
+
+/// The object that the cursor's pixel shows, or that it is the background: what its camera ray hits, as far as one may know.
+fn object(model: &Model) -> Option<String> {
+    let tree = &model.tree;
+    let camera = (0..tree.nodes().len()).find(|node| tree.ray(*node) == Some(RayKind::Camera))?;
+    let event = model.facts.outcome(camera).filter(|event| model.guide.is_known(*event))?;
+    match model.log.events[event].decision()? {
+        Decision::Nearest { object } => Some(words::plain(model.log.header.object(object))),
+        Decision::Background => Some(model.texts().panes.outcomes.background.to_owned()),
+        _ => None,
+    }
 }
 
 /// What draws the cells.
@@ -94,12 +149,11 @@ impl Brush<'_> {
         if pixels == [None, None] {
             return None;
         }
-        let [above, below] = pixels.map(|pixel| pixel.and_then(|pixel| self.color(self.view.image.at(pixel)?)));
+        let [above, below] = [row, row + 1].map(|row| self.color(self.view.area_under(self.screen, [column, row])?));
         if self.has_cursor([column, row]) {
             return Some(self.cursor(above.or(below)));
         }
-        let has_shades = self.theme.palette == Palette::None || self.theme.is_ascii();
-        if has_shades {
+        if self.has_shades() {
             let light = luminance(above.or(below).unwrap_or_default()) * 0.5
                 + luminance(below.or(above).unwrap_or_default()) * 0.5;
             return Some((self.shade(light), Style::reset()));
@@ -110,6 +164,11 @@ impl Brush<'_> {
             (None, below) => ("▄", Style::reset().fg(colored(below))),
             (above, below) => ("▀", Style::reset().fg(colored(above)).bg(colored(below))),
         })
+    }
+
+    /// Whether there are no colours to draw with.
+    fn has_shades(&self) -> bool {
+        self.theme.palette == Palette::None || self.theme.is_ascii()
     }
 
     /// Whether the cursor's pixel is seen here: its middle lies in the cell.
@@ -130,12 +189,14 @@ impl Brush<'_> {
         (symbol, style.add_modifier(Modifier::BOLD))
     }
 
-    /// What a dot looks like in this layer.
-    fn color(&self, dot: &Dot) -> Option<[u8; 3]> {
-        if self.view.layer == Layer::Colors {
-            return Some((self.view.image.levels)(dot.color, f64::from(self.view.exposure) / 2.0));
+    /// What an area of the picture looks like in this layer: the mean of its pixels.
+    fn color(&self, area: [[f64; 2]; 2]) -> Option<[u8; 3]> {
+        let view = self.view;
+        if view.layer == Layer::Colors {
+            return Some((view.image.levels)(view.image.mean(area, |dot| Some(dot.color))?, view.stops()));
         }
-        let ([least, greatest], value) = (self.range?, self.view.layer.of(dot)?);
+        let [value] = view.image.mean(area, |dot| view.layer.of(dot).map(|value| [value]))?;
+        let [least, greatest] = self.range?;
         let part = if greatest > least { (value - least) / (greatest - least) } else { 0.0 };
         Some(false_color(match self.view.layer {
             // Errors differ by powers of ten: eight of them are shown.

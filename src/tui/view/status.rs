@@ -111,10 +111,14 @@ fn hints(model: &Model, room: usize) -> String {
         Pane::Schematic => hints.schematic,
         Pane::Code => hints.code,
     };
-    let useful: Vec<_> = of_mode.chain(of_pane).copied().collect();
-    let line = |count: usize| [&useful[..count], &[hints.help, hints.quit]].concat().join(GAP);
-    let fits = |count: &usize| width_of(&line(*count)) <= room;
-    (0..=useful.len()).rev().find(fits).map_or(hints.help.to_owned(), line)
+    let of_mode: Vec<_> = of_mode.copied().collect();
+    let useful = [of_mode.as_slice(), of_pane].concat();
+    let ends = [hints.help, hints.quit];
+    let lines = (1..=useful.len()).rev().map(|count| [&useful[..count], &ends].concat());
+    // What a mode has of its own is worth more than those.
+    let brief = of_mode.first().map(|own| vec![*own]);
+    let mut lines = lines.chain(brief).chain([ends.to_vec(), vec![hints.help]]).map(|hints| hints.join(GAP));
+    lines.find(|line| width_of(line) <= room).unwrap_or_default()
 }
 
 /// What is between two hints.

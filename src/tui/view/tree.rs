@@ -40,7 +40,8 @@ fn name(model: &Model, scene: &str, room: usize) -> String {
     let header = &model.log.header;
     let (subject, texts) = (words::subject(model.language, header), &model.texts().panes);
     let whole = (texts.what)(&subject, scene, model.log.events.len());
-    let names = [whole, (texts.what_briefly)(&subject, scene), scene.to_owned()];
+    let briefly = (texts.what_briefly)(&subject, scene);
+    let names = [whole, (texts.program)(&briefly), briefly, (texts.program)(scene), scene.to_owned()];
     let mut names = names.map(|name| format!("{name} - {}", words::arithmetic(header))).into_iter();
     names.find(|name| width_of(name) <= room).unwrap_or_else(|| scene.to_owned())
 }

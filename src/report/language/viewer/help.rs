@@ -78,6 +78,10 @@ texts! {
     next_view =
         "another view: colours, depth, rays, samples; top, front, camera",
         "otra vista: colores, profundidad, rayos, muestras; desde arriba, de frente, desde el ojo";
+    cell_left =
+        "H J K L: left, down, up, right by a cell of the screen; + and -: to the greatest and the least value, in colours the brightest and the darkest pixel",
+        "H J K L: a la izquierda, abajo, arriba, a la derecha una celda de la pantalla; + y -: al valor mayor y al menor, en colores al píxel más claro y al más oscuro";
+    worst = "list the pixels that single precision misses most", "lista de los píxeles en los que más falla la precisión simple";
     operands =
         "what this value is made of; Enter goes to an operand",
         "de qué se compone este valor; Enter va a un operando";

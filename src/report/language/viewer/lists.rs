@@ -59,6 +59,12 @@ texts! {
         "Qué redondeo causó el error, {arithmetic}";
     /// The worked example on paper.
     book: Book;
+    /// The pixels that single precision misses most.
+    worst_title = "Pixels by the error of f32", "Píxeles por el error de f32";
+    /// Its columns, and what is said where it has no entries.
+    worst: List<3> =
+        list(["error", "pixel", "colour"], "no pixel is known to be off"),
+        list(["error", "píxel", "color"], "no se conoce ningún píxel con error");
     /// What the symbols mean.
     glossary: Glossary;
     /// Why a list can't be shown yet.

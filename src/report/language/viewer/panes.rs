@@ -85,7 +85,9 @@ texts! {
     what(subject: &str, scene: &str, steps: usize) =
         "raywalk: {subject} of {scene}, {steps} steps",
         "raywalk: {subject} de {scene}, {steps} pasos";
-    /// The same, shorter.
+    /// The program, and what it shows in fewer words.
+    program(what: &str) = "raywalk: {what}", "raywalk: {what}";
+    /// The pixel or ray and the scene.
     what_briefly(subject: &str, scene: &str) = "{subject} of {scene}", "{subject} de {scene}";
     /// The algorithm, by its name.
     algorithm(name: &str) = "{name} algorithm", "algoritmo {name}";
@@ -161,6 +163,8 @@ texts! {
         ["imagen", "profundidad", "rayos por píxel", "muestras por píxel", "error de f32"];
     /// The exposure in stops.
     exposure(stops: &str) = "{stops} stops", "exposición {stops}";
+    /// The exposure that fits the picture into what can be shown.
+    fitting(stops: &str) = "above white: shown {stops} stops", "supera el blanco: exposición {stops}";
     /// The depth of a pixel.
     depth(depth: &str) = "depth {depth}", "profundidad {depth}";
     /// The rays of a pixel.
