@@ -3,7 +3,7 @@
 use super::failure::{Failure, HUNG_UP, INTERRUPTED, TERMINATED, shown};
 use super::frames;
 use super::inputs::Inputs;
-use super::live::Session;
+use super::live::{SavedLog, Session};
 use super::options::{ColorChoice, TracingOptions, biased_effects, numbers};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
@@ -102,7 +102,11 @@ impl Walk {
             Named::Log(opened) => self.of_log(opened, walked)?,
         };
         let was_log = session.is_none();
-        let live = session.as_mut().map(|session| session as &mut dyn tui::Live);
+        let mut saved = SavedLog { digest: log.header.scene.digest.clone() };
+        let live: Option<&mut dyn tui::Live> = Some(match &mut session {
+            Some(session) => session,
+            None => &mut saved,
+        });
         if let Some(path) = &self.screenshot {
             self.check_screenshot(path)?;
             let [width, height] = self.screen.unwrap_or(SCREEN);

@@ -28,7 +28,7 @@ fn decimals(x: f64, style: Style) -> u32 {
         return style.digits;
     }
     // The exponent after rounding: 0.09996 is 0.100.
-    let least = style.digits.min(LEAST_SIGNIFICANT).max(1) - 1;
+    let least = style.digits.clamp(1, LEAST_SIGNIFICANT) - 1;
     let text = format!("{x:.*e}", least as usize);
     let exponent: i32 = text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
     style.digits.max(least + exponent.unsigned_abs())

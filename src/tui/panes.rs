@@ -49,8 +49,9 @@ pub(super) fn in_picture(model: &mut Model, action: Action, count: Option<u32>) 
 /// Goes to the pixel whose value in the layer that is shown comes first in an order.
 fn to_extreme(model: &mut Model, order: fn(&f64, &f64) -> Ordering) -> Option<Effect> {
     let view = model.picture.as_ref()?;
-    let ranked = view.image.ranked(|dot| view.layer.rank(dot));
-    let Some((pixel, _)) = ranked.into_iter().min_by(|(_, a), (_, b)| order(a, b)) else { return Some(Effect::None) };
+    let values = view.image.values(|dot| view.layer.rank(dot));
+    // Of equal ones the first.
+    let Some((pixel, _)) = values.min_by(|(_, a), (_, b)| order(a, b)) else { return Some(Effect::None) };
     jumps::remember(model);
     Some(Effect::Trace(pixel))
 }

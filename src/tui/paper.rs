@@ -86,9 +86,9 @@ pub(super) fn causes(model: &Model) -> Listing {
     Listing::of(&List { columns: in_order(texts.columns), nothing: "" }, title, &[], entries)
 }
 
-/// The columns of a study as the viewer has them: which quantity it is comes before what is without it.
+/// The columns of a study as the viewer has them: the quantity first, and last what is without it.
 fn in_order<T>([only, all_but, quantity, place]: [T; 4]) -> [T; 4] {
-    [only, quantity, place, all_but]
+    [quantity, only, place, all_but]
 }
 
 /// The event of the viewer's log in the place of one of the study's, which has the log of an unrounded computation.

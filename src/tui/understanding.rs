@@ -154,15 +154,17 @@ fn arithmetics(model: &Model) -> Listing {
 /// The pixels that single precision misses most, as far as that is known yet.
 fn worst(model: &Model) -> Listing {
     let texts = &model.texts().lists;
-    let ranked = model.picture.as_ref().map(|view| (view, view.image.ranked(|dot| dot.error)));
-    let entries = ranked.iter().flat_map(|(view, ranked)| {
-        ranked.iter().filter(|(_, error)| *error > 0.0).take(MOST).map(|(pixel, error)| {
-            let color = view.image.at(*pixel).map_or(String::new(), |dot| model.color(dot.color));
-            let text = cells([model.value(&Value::Number(*error)), format!("{},{}", pixel[0], pixel[1]), color]);
-            Entry { pixel: Some(*pixel), ..Entry::plain(text, Role::Text) }
-        })
-    });
-    Listing::of(&texts.worst, texts.worst_title, &[], entries.collect())
+    let Some(view) = &model.picture else { return Listing::default() };
+    let mut wrong: Vec<_> = view.image.values(|dot| dot.error.filter(|error| *error > 0.0)).collect();
+    // Stable: equal ones stay in the order of the picture.
+    wrong.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    let entry = |(pixel, error): ([u32; 2], f64)| {
+        let color = view.image.at(pixel).map_or(String::new(), |dot| model.color(dot.color));
+        let text = cells([model.value(&Value::Number(error)), format!("{},{}", pixel[0], pixel[1]), color]);
+        Entry { pixel: Some(pixel), ..Entry::plain(text, Role::Text) }
+    };
+    let entries = wrong.into_iter().take(MOST).map(entry).collect();
+    Listing::of(&texts.worst, texts.worst_title, &[], entries)
 }
 
 /// A line a component.

@@ -95,12 +95,36 @@ impl Live for Session {
     }
 
     fn book(&mut self, subject: Subject) -> Result<Paper, Refusal> {
-        let (digest, size) = (&self.scene.digest, self.scene.camera.resolution);
-        let is_middle = subject == Subject::Pixel(size.map(|side| side / 2));
-        let examples = Example::ALL.into_iter().filter(|_| is_middle);
-        let scenes = examples.filter_map(|example| Some((example, scene_of(example).ok()?)));
-        let is_it = |scene: &Scene| scene.digest == *digest && scene.camera.resolution == size;
-        let (example, scene) = scenes.into_iter().find(|(_, scene)| is_it(scene)).ok_or(Refusal::NoExample)?;
-        Ok(Paper { scene: example.scene(), rows: textbook::table(example, &scene).steps })
+        book(&self.scene.digest, subject)
     }
+}
+
+/// What can be asked of a saved log, which has no scene.
+pub struct SavedLog {
+    /// The digest of the scene that it is of.
+    pub digest: String,
+}
+
+impl Live for SavedLog {
+    fn trace(&mut self, _: [u32; 2]) -> Result<Log, Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    fn compare(&mut self, _: Subject) -> Result<Vec<Log>, Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    fn book(&mut self, subject: Subject) -> Result<Paper, Refusal> {
+        book(&self.digest, subject)
+    }
+}
+
+/// The worked example on the scene with this digest, which is another with other options for tracing.
+fn book(digest: &str, subject: Subject) -> Result<Paper, Refusal> {
+    let scenes = Example::ALL.into_iter().filter_map(|example| Some((example, scene_of(example).ok()?)));
+    let is_it = |scene: &Scene| {
+        scene.digest == digest && subject == Subject::Pixel(scene.camera.resolution.map(|side| side / 2))
+    };
+    let (example, scene) = scenes.into_iter().find(|(_, scene)| is_it(scene)).ok_or(Refusal::NoExample)?;
+    Ok(Paper { scene: example.scene(), rows: textbook::table(example, &scene).steps })
 }

@@ -145,14 +145,11 @@ impl Image {
         if above > 0.0 { -((2.0 * above).ceil().min(60.0) as i32) } else { 0 }
     }
 
-    /// The pixels with a value, the greatest first; equal ones from the top left on.
-    pub fn ranked(&self, of: impl Fn(&Dot) -> Option<f64>) -> Vec<([u32; 2], f64)> {
+    /// The pixels with a value, from the top left on.
+    pub fn values(&self, of: impl Fn(&Dot) -> Option<f64>) -> impl Iterator<Item = ([u32; 2], f64)> {
         let columns = self.columns() as usize;
-        let pixel = |at: usize| [at % columns, at / columns].map(|place| place as u32 * self.step);
-        let with_value = |(at, dot): (usize, &Option<Dot>)| Some((pixel(at), of(dot.as_ref()?)?));
-        let mut ranked: Vec<_> = self.dots.iter().enumerate().filter_map(with_value).collect();
-        ranked.sort_by(|(_, a), (_, b)| b.total_cmp(a));
-        ranked
+        let pixel = move |at: usize| [at % columns, at / columns].map(|place| place as u32 * self.step);
+        self.dots.iter().enumerate().filter_map(move |(at, dot)| Some((pixel(at), of(dot.as_ref()?)?)))
     }
 
     /// The least and the greatest value of a layer.

@@ -44,11 +44,7 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
     let top = selected.saturating_sub(height / 2).min(table.rows.len().saturating_sub(height));
     let lines = table.rows.iter().zip(&listing.entries).enumerate().skip(top).map(|(number, (text, entry))| {
         let mark = if number == selected { theme.glyphs.current } else { " " };
-        let text = if entry.is_heading {
-            cut(text, 0, place.room(), theme)
-        } else {
-            seen(text, if entry.has_cells() { fixed } else { 0 })
-        };
+        let text = seen(text, if entry.has_cells() { fixed } else { 0 });
         Line::from(vec![
             Span::styled(format!("{mark} "), theme.style(Role::Current)),
             Span::styled(text, theme.style(entry.role)),

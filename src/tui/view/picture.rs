@@ -67,7 +67,9 @@ fn name(model: &Model, view: &PictureView, range: Option<[f64; 2]>, theme: &Them
         name += &format!(" {} {} {}", figure(least), bar(), figure(greatest));
     }
     if view.stops() != 0.0 && view.layer == Layer::Colors {
-        name += &format!(" {}", (model.texts().panes.picture.exposure)(&stops(model, view.stops())));
+        let (texts, stops) = (&model.texts().panes.picture, stops(model, view.stops()));
+        name += " ";
+        name += &if view.fitting == 0 { (texts.exposure)(&stops) } else { (texts.fitting)(&stops) };
     }
     shown(&name, theme)
 }
@@ -79,7 +81,15 @@ fn stops(model: &Model, stops: f64) -> String {
 
 /// A figure of a layer: a count, or a number with three digits.
 fn figure(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e9 { format!("{value}") } else { format!("{value:.3e}") }
+    let size = value.abs();
+    if value.fract() == 0.0 && size < 1e9 {
+        format!("{value}")
+    } else if (0.01..1000.0).contains(&size) {
+        let decimals = if size < 1.0 { 3 } else { 2 - libm::log10(size) as usize };
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.1e}")
+    }
 }
 
 fn remark(view: &PictureView) -> String {
@@ -268,6 +278,12 @@ mod tests {
         assert_eq!(indexed([95, 175, 255]), 16 + 36 + 6 * 3 + 5);
         assert_eq!(indexed([128, 128, 128]), 244);
         assert_eq!(indexed([8, 8, 8]), 232);
+    }
+
+    #[test]
+    fn figures_have_three_digits() {
+        let shown = [0.0, 12.0, 12.004, 1.0 / 3.0, 6.619e-3, 123.456, 19.649, 1234.5, 9.999].map(figure);
+        assert_eq!(shown, ["0", "12", "12.0", "0.333", "6.6e-3", "123", "19.6", "1.2e3", "10.00"]);
     }
 
     #[test]

@@ -25,7 +25,7 @@ const SIGNS: &[(Text, [Text; 2])] = &[
             "clase de un camino de la luz: L fuente, D difusa o S especular, E ojo",
         ],
     ),
-    ("A, B", ["first in a class: ambient light, background", "al principio de una clase: luz ambiental, fondo"]),
+    ("A, B", ["first in a class: ambient light, background", "al principio de una clase: luz ambiente, fondo"]),
     (
         "TR(C R, 1)",
         [
@@ -143,7 +143,7 @@ const QUANTITIES: &[(&str, [Text; 2])] = &[
     ("light.position", ["position of the light", "posición de la fuente"]),
     ("light.travel", ["direction in which the light travels", "dirección en que viaja la luz"]),
     ("light.color", ["intensity of the light", "intensidad de la fuente"]),
-    ("light.ambient", ["intensity of the ambient light", "intensidad de la luz ambiental"]),
+    ("light.ambient", ["intensity of the ambient light", "intensidad de la luz ambiente"]),
     ("light.vector", ["from the point to the light", "del punto a la fuente"]),
     ("light.distance", ["distance of the light", "distancia de la fuente"]),
     ("light.direction", ["unit vector toward the light", "vector unitario hacia la fuente"]),
@@ -203,13 +203,13 @@ const QUANTITIES: &[(&str, [Text; 2])] = &[
     ),
     ("shade.specular_power", ["the power of the specular term", "la potencia de la componente especular"]),
     ("shade.transmitted_power", ["the power of the transmitted term", "la potencia de la componente transmitida"]),
-    ("material.ambient", ["ambient coefficient", "coeficiente ambiental"]),
+    ("material.ambient", ["ambient coefficient", "coeficiente ambiente"]),
     ("material.diffuse", ["diffuse coefficient", "coeficiente de reflexión difusa"]),
     ("material.specular", ["specular coefficient", "coeficiente de reflexión especular"]),
     ("material.shininess", ["specular exponent", "exponente especular"]),
     ("material.transmission", ["coefficient of transmission", "coeficiente de transmisión"]),
     ("material.transmission_exponent", ["exponent of transmission", "exponente de transmisión"]),
-    ("material.ambient_plain", ["ambient coefficient before the pattern", "coeficiente ambiental antes del patrón"]),
+    ("material.ambient_plain", ["ambient coefficient before the pattern", "coeficiente ambiente antes del patrón"]),
     (
         "material.diffuse_plain",
         ["diffuse coefficient before the pattern", "coeficiente de reflexión difusa antes del patrón"],
@@ -221,7 +221,7 @@ const QUANTITIES: &[(&str, [Text; 2])] = &[
         "shade.local",
         [
             "intensity of the local model: ambient, diffuse, specular",
-            "intensidad del modelo local: ambiental, difusa, especular",
+            "intensidad del modelo local: ambiente, difusa, especular",
         ],
     ),
     ("incoming.reflected", ["intensity that the reflected ray brings", "intensidad que trae el rayo reflejado"]),

@@ -156,7 +156,7 @@ texts! {
         ["By light:", "By object:", "By the ray that sees the object:"],
         ["Por fuente de luz:", "Por objeto:", "Por el rayo que ve el objeto:"];
     /// The total of ambient light.
-    ambient = "ambient light", "luz ambiental";
+    ambient = "ambient light", "luz ambiente";
     /// The heading of the legend.
     legend_title = "Legend:", "Leyenda:";
     /// What is in the columns.
@@ -169,8 +169,8 @@ texts! {
         ],
         [
             "camino: C primario, R reflejado, T transmitido, S1 a la primera fuente",
-            "clase: L fuente, D difusa, S especular, E ojo, A ambiental, B fondo",
-            "figura 14: a D-D, b S-D, c D-S, d S-S; la luz ambiental es por a",
+            "clase: L fuente, D difusa, S especular, E ojo, A ambiente, B fondo",
+            "figura 14: a D-D, b S-D, c D-S, d S-S; la luz ambiente es por a",
             "= color propio * peso: el producto de W_l, W_r y W_t en el camino",
         ];
     /// The heading of this many paths that bring nothing.
