@@ -80,7 +80,7 @@ impl Textbook {
 }
 
 /// The scene of an example, by hand.
-fn scene_of(example: Example) -> Result<Scene, Failure> {
+pub fn scene_of(example: Example) -> Result<Scene, Failure> {
     let loaded = scene_argument::scene(&scene_argument::built_in(example.scene())?, &Import::default())?;
     let by_hand = TracingOptions { arithmetic: Arithmetic::Decimal(3), ..TracingOptions::default() };
     by_hand.apply(loaded)

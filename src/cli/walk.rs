@@ -3,8 +3,8 @@
 use super::failure::{Failure, HUNG_UP, INTERRUPTED, TERMINATED, shown};
 use super::frames;
 use super::inputs::Inputs;
-use super::live::Session;
 use super::live::workbench::Workbench;
+use super::live::{SavedLog, Session};
 use super::look::Look;
 use super::options::{ColorChoice, TracingOptions, biased_effects};
 use super::output::{self, Output};
@@ -103,7 +103,11 @@ impl Walk {
             Named::Log(opened) => self.of_log(opened, walked)?,
         };
         let was_log = session.is_none();
-        let live = session.as_mut().map(|session| session as &mut dyn tui::Live);
+        let mut saved = SavedLog { digest: log.header.scene.digest.clone() };
+        let live: Option<&mut dyn tui::Live> = Some(match &mut session {
+            Some(session) => session,
+            None => &mut saved,
+        });
         if let Some(path) = &self.screenshot {
             self.check_screenshot(path)?;
             let [width, height] = self.screen.unwrap_or(SCREEN);

@@ -8,6 +8,7 @@
 mod groups;
 mod rays;
 mod samples;
+pub mod totals;
 
 use super::path_class::{Source, cases, notation};
 pub use groups::{Group, groups};
@@ -74,13 +75,6 @@ pub struct LightPath {
     pub number: u32,
     /// How often light bounces on it.
     pub bounces: usize,
-}
-
-impl Contribution {
-    /// Its part of a channel, if the pixel has any of it.
-    pub fn share_of(&self, channel: usize, whole: &Color) -> Option<f64> {
-        (whole[channel] != 0.0).then(|| self.color[channel] / whole[channel])
-    }
 }
 
 /// A path that brings nothing.

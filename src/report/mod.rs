@@ -3,6 +3,7 @@
 //! Reports use only what a log holds; they need no scene.
 
 pub mod answer;
+pub mod causes;
 pub mod close_up;
 pub mod computation;
 pub mod contributions;
@@ -18,6 +19,7 @@ pub mod lines;
 pub mod notation;
 pub mod number;
 pub mod outline;
+pub mod paper;
 mod part;
 pub mod path_class;
 pub mod provenance;

@@ -19,8 +19,8 @@ pub struct Run<'a> {
 /// A quantity of the node in every run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Which quantity.
-    pub name: Name,
+    /// Which quantity; none for the colour of the pixel.
+    pub name: Option<Name>,
     /// The event that notes it in the first run that comes to it, if that is the first of all.
     pub event: Option<usize>,
     /// Its value in each run; `None` where the run doesn't come to it.
@@ -48,12 +48,17 @@ pub fn table(runs: &[Run], node: usize) -> Table {
     let mut rows: Vec<Row> = Vec::new();
     for (number, (run, place)) in runs.iter().zip(&places).enumerate() {
         let Some(place) = *place else { continue };
-        let mut seen: Vec<Name> = Vec::new();
+        let mut seen: Vec<Option<Name>> = Vec::new();
         for event in run.tree.own_events(place) {
-            let What::Note { name, value } = run.log.events[event].what else { continue };
-            let occurrence = seen.iter().filter(|earlier| earlier.is(name)).count();
-            seen.push(name);
-            let same = rows.iter_mut().filter(|row| row.name.is(name)).nth(occurrence);
+            let (name, value) = match run.log.events[event].what {
+                What::Note { name, value } => (Some(name), value),
+                What::Result { color } => (None, Value::Triple(color)),
+                _ => continue,
+            };
+            let quantity = name.map(Name::quantity);
+            let occurrence = seen.iter().filter(|earlier| **earlier == quantity).count();
+            seen.push(quantity);
+            let same = rows.iter_mut().filter(|row| row.name.map(Name::quantity) == quantity).nth(occurrence);
             let digits = run.log.events[event].digits.as_deref().copied();
             match same {
                 Some(row) => {

@@ -2,9 +2,10 @@
 
 use super::effect::{Change, Effect, Exit};
 use super::keys::Walk;
+use super::model::list::Kind;
 use super::model::prompt::Purpose;
 use super::model::{Model, breakpoint};
-use super::{bookmarks, breakpoints, edit, jumps, search, walk};
+use super::{bookmarks, breakpoints, edit, jumps, search, understanding, walk};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
 use crate::report::Style;
@@ -69,10 +70,16 @@ const COMMANDS: &[Command] = &[
         argument: Argument::Name,
         run: |_, word| Ok(Effect::Change(Change::Arithmetic(word.to_owned()))),
     },
+    Command { name: "book", argument: Argument::Nothing, run: |model, _| Ok(understanding::open(model, Kind::Book)) },
     Command { name: "bookmark", argument: Argument::Letter, run: bookmark },
     Command { name: "bookmarks", argument: Argument::Nothing, run: |model, _| go(model, Walk::Marks) },
     Command { name: "break", argument: Argument::Condition, run: |model, text| plainly(breakpoints::add(model, text)) },
     Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| go(model, Walk::Breakpoints) },
+    Command {
+        name: "causes",
+        argument: Argument::Nothing,
+        run: |model, _| Ok(understanding::open(model, Kind::Causes)),
+    },
     Command { name: "compare", argument: Argument::Nothing, run: |_, _| Ok(Effect::Beside) },
     Command {
         name: "depth",
@@ -82,6 +89,11 @@ const COMMANDS: &[Command] = &[
     Command { name: "digits", argument: Argument::Decimals, run: digits },
     Command { name: "edit", argument: Argument::Nothing, run: |model, _| Ok(edit::object(model)) },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
+    Command {
+        name: "glossary",
+        argument: Argument::Nothing,
+        run: |model, _| Ok(understanding::open(model, Kind::Glossary)),
+    },
     Command { name: "grow", argument: Argument::Nothing, run: |model, _| go(model, Walk::Grow) },
     Command { name: "help", argument: Argument::Nothing, run: |model, _| Ok(walk::open_help(model)) },
     Command { name: LANG, argument: Argument::Language, run: language },

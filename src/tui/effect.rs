@@ -17,6 +17,10 @@ pub enum Effect {
     Revisit([u32; 2], Spot),
     /// Trace what is shown in the other arithmetics.
     Compare,
+    /// Study which rounding caused the error of what is shown.
+    Study,
+    /// Look up the worked example that is shown.
+    Book,
     /// Put this text on the clipboard.
     Copy(String),
     /// Change the scene, and trace what is shown anew.

@@ -3,7 +3,7 @@
 use super::effect::Effect;
 use super::keys::{Action, Walk};
 use super::listing::listing;
-use super::model::list::Kind;
+use super::model::list::{Entry, Kind};
 use super::model::{Model, Overlay};
 use super::{breakpoints, jumps, run, view};
 use ratatui::layout::Position;
@@ -27,9 +27,14 @@ pub(super) fn update(
         (Action::Walk(Walk::Delete), Kind::Breakpoints) => breakpoints::delete(model, selected),
         (Action::In | Action::Enter, Kind::Stops) => return run::go_to(model, selected),
         (Action::In | Action::Enter, _) => {
-            if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
+            let selected = listing.entries.get(selected).filter(|entry| entry.leads());
+            if let Some(Entry { target, pixel, .. }) = selected {
                 model.overlay = None;
-                jumps::to_event(model, target);
+                if let Some(pixel) = pixel {
+                    jumps::remember(model);
+                    return Effect::Trace(*pixel);
+                }
+                target.iter().for_each(|target| jumps::to_event(model, *target));
             }
         }
         (Action::Close | Action::Quit | Action::Out | Action::Interrupt, _) => model.overlay = None,

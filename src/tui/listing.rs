@@ -1,6 +1,6 @@
 //! What is in each list: a kind of list is one function that makes its entries from the model.
 
-use super::model::list::{Kind, Listing};
+use super::model::list::{Entry, Kind, Listing};
 use super::model::{Model, Overlay};
 use super::{bookmarks, breakpoints, run};
 
@@ -11,7 +11,7 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
         Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints_title, &[], breakpoints::entries(model)),
         Kind::Stops => Listing::of(&texts.stops, texts.stops_title, &[0], run::entries(model)),
         Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks_title, &[], bookmarks::entries(model)),
-        Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => {
+        _ => {
             // Made when it was opened.
             let opened = model.understanding.listing.as_ref().filter(|(of, _)| *of == kind);
             opened.map(|(_, listing)| listing.clone()).unwrap_or_default()
@@ -22,7 +22,7 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
 /// Opens a list.
 pub(super) fn open(model: &mut Model, kind: Kind) {
     let listing = listing(model, kind);
-    let selected = listing.entries.iter().position(|entry| entry.target.is_some());
+    let selected = listing.entries.iter().position(Entry::leads);
     let selected = selected.unwrap_or_else(|| listing.off_headings(0, false));
     model.overlay = Some(Overlay::List { kind, selected, shift: 0 });
 }

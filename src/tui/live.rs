@@ -13,7 +13,9 @@ use super::{bookmarks, jumps, prompt, quiz, search, understanding};
 use crate::log::tree::Place;
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style;
+use crate::report::causes::Study;
 use crate::report::language::Language;
+use crate::report::paper::Paper;
 use crate::report::words::plain;
 use std::mem;
 use std::path::PathBuf;
@@ -72,6 +74,16 @@ pub trait Live {
     fn source(&mut self, _object: Option<u32>) -> Option<(PathBuf, usize)> {
         None
     }
+
+    /// Which rounding caused the error of the result of the same pixel or ray: in the viewer's arithmetic, or by hand if that rounds nothing.
+    fn study(&mut self, _subject: Subject) -> Result<Study, Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    /// The worked example that this pixel of the scene is.
+    fn book(&mut self, _subject: Subject) -> Result<Paper, Refusal> {
+        Err(Refusal::NoExample)
+    }
 }
 
 /// Why there is no log.
@@ -83,6 +95,10 @@ pub enum Refusal {
     OnePixelPrinted,
     /// A region has too many values to be compared.
     RegionsNotCompared,
+    /// No book has this pixel as its example.
+    NoExample,
+    /// It has more quantities than this, too many to study the rounding of each.
+    TooManyQuantities(usize),
     /// It would have more events than this.
     TooLong(usize),
     /// There is no memory for it.
@@ -105,6 +121,8 @@ impl Refusal {
             Refusal::NoScene => messages.no_scene.to_owned(),
             Refusal::OnePixelPrinted => messages.one_pixel_printed.to_owned(),
             Refusal::RegionsNotCompared => messages.regions_not_compared.to_owned(),
+            Refusal::NoExample => messages.no_example.to_owned(),
+            Refusal::TooManyQuantities(most) => (messages.too_many_quantities)(*most),
             Refusal::TooLong(most) => (messages.too_long)(*most),
             Refusal::NoMemory => messages.no_memory.to_owned(),
             Refusal::NothingChanged => messages.nothing_changed.to_owned(),
@@ -142,6 +160,14 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
             prompt::complete_path(model, |beginning| live.parameters(beginning));
             Ok(())
         }
+        (Effect::Study, Some(live)) => live.study(model.log.header.subject).map(|study| {
+            model.understanding.study = Some(Arc::new(study));
+            understanding::open(model, Kind::Causes);
+        }),
+        (Effect::Book, Some(live)) => live.book(model.log.header.subject).map(|book| {
+            model.understanding.book = Some(Arc::new(book));
+            understanding::open(model, Kind::Book);
+        }),
     };
     if let Err(why) = asked {
         model.say(&why.text(model.language));
@@ -216,7 +242,7 @@ pub fn show_log(model: &mut Model, log: Log) {
     model.others.clear();
     model.changed = Changed::default();
     // A quiz goes on; what was opened was of the other log.
-    model.understanding.listing = None;
+    (model.understanding.listing, model.understanding.study, model.understanding.book) = (None, None, None);
     let (Ok(event) | Err(event)) = place.find(&model.log, &model.tree);
     model.go_to_event(event);
     if let (Some(view), Subject::Pixel(pixel)) = (&mut model.picture, model.log.header.subject) {

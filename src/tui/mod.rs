@@ -6,6 +6,7 @@
 //!
 //! At the bottom is the state, in `model`; the files beside this one change it, one a concern, and `update` is above them.
 
+mod account;
 pub mod beside;
 mod bookmarks;
 mod breakpoints;
@@ -14,6 +15,7 @@ mod copy;
 pub mod dump;
 mod edit;
 mod effect;
+mod glossary;
 mod jumps;
 pub mod keys;
 mod list;
@@ -22,9 +24,11 @@ mod live;
 mod model;
 mod mouse;
 mod panes;
+mod paper;
 mod play;
 mod prompt;
 mod quiz;
+mod rows;
 mod run;
 pub mod screenshot;
 mod search;

@@ -1,10 +1,13 @@
 //! What actions mean in the picture and in the schematic alone; going from pane to pane, and how large they are.
 
 use super::effect::Effect;
-use super::keys::Action;
+use super::jumps;
+use super::keys::{Action, Walk};
 use super::model::drawing::Projection;
+use super::model::layout::Layout;
 use super::model::picture::MOST_ZOOM;
 use super::model::{Model, Pane};
+use std::cmp::Ordering;
 
 /// Moves the focus to the n-th pane after the one that has it, of those on the screen.
 pub(super) fn switch(model: &mut Model, by: isize) {
@@ -36,16 +39,40 @@ pub(super) fn in_picture(model: &mut Model, action: Action, count: Option<u32>) 
         Action::Brighter => view.expose(times),
         Action::Darker => view.expose(-times),
         Action::NextView => view.next_layer(),
+        Action::Walk(Walk::Faster) => return to_extreme(model, |a, b| b.total_cmp(a)),
+        Action::Walk(Walk::Slower) => return to_extreme(model, f64::total_cmp),
         _ => return move_cursor(model, action, count),
     }
     Some(Effect::None)
+}
+
+/// Goes to the pixel whose value in the layer that is shown comes first in an order.
+fn to_extreme(model: &mut Model, order: fn(&f64, &f64) -> Ordering) -> Option<Effect> {
+    let view = model.picture.as_ref()?;
+    let values = view.image.values(|dot| view.layer.rank(dot));
+    // Of equal ones the first.
+    let Some((pixel, _)) = values.min_by(|(_, a), (_, b)| order(a, b)) else { return Some(Effect::None) };
+    jumps::remember(model);
+    Some(Effect::Trace(pixel))
+}
+
+/// The pixels that a cell of the screen covers, along each axis.
+fn cell(model: &Model) -> Option<[i64; 2]> {
+    let dots = Layout::dots(model.layout(model.size).area(Pane::Picture));
+    let (scale, _) = model.picture.as_ref()?.window([dots.width.into(), 2 * u32::from(dots.height)]);
+    Some([scale, 2.0 * scale].map(|side| (side.round() as i64).max(1)))
 }
 
 /// Moves the cursor by an action for it.
 fn move_cursor(model: &mut Model, action: Action, count: Option<u32>) -> Option<Effect> {
     let (page, times) = (model.page() as i64, i64::from(count.unwrap_or(1)));
     let view = model.picture.as_ref()?;
+    let [across, down] = cell(model)?.map(|side| side * times);
     let by = match action {
+        Action::CellLeft => [-across, 0],
+        Action::NextSibling => [0, down],
+        Action::PreviousSibling => [0, -down],
+        Action::Walk(Walk::Stops) => [across, 0],
         Action::Down => [0, times],
         Action::Up => [0, -times],
         Action::Out => [-times, 0],

@@ -5,10 +5,10 @@
 //! nothing else is to be done. A text is made only where one is looked into, and what was found out about each name and node
 //! is remembered. Once all is found every question is one of a sorted list.
 
-use super::jumps;
 use super::model::Model;
 use super::model::search::{Pattern, Search};
 use super::text::ascii;
+use super::{jumps, rows};
 use crate::log::{Decision, Name, Step, Value, What};
 use crate::report::number::RAISED;
 use crate::report::{self, path_class, words};
@@ -264,13 +264,13 @@ pub(super) fn filter(model: &mut Model, text: &str) -> Result<(), String> {
     if search.found.is_empty() {
         return Err((model.texts().messages.no_row)(&words::plain(text)));
     }
-    let nodes: Vec<_> = search.found.iter().map(|event| model.tree.owner(*event as usize)).collect();
+    // The word for a kind of ray leaves all that such rays bring.
+    let nodes = rows::of_rays(model, text)
+        .unwrap_or_else(|| search.found.iter().map(|event| model.tree.owner(*event as usize)).collect());
     for node in &nodes {
         model.fold.open_around(&model.tree, *node);
     }
-    model.fold.visible.keep(&model.tree, Some(nodes));
-    // One's own place isn't lost.
-    model.fold.visible.show(&model.tree, model.cursor);
+    rows::keep(model, Some(nodes));
     model.guide.filter = Some(text.to_owned());
     Ok(())
 }
@@ -278,7 +278,7 @@ pub(super) fn filter(model: &mut Model, text: &str) -> Result<(), String> {
 /// Ends the filter.
 pub(super) fn show_all(model: &mut Model) {
     model.guide.filter = None;
-    model.fold.visible.keep(&model.tree, None::<[usize; 0]>);
+    rows::keep(model, None);
 }
 
 /// Searches and filters another log in the same way.
@@ -286,9 +286,13 @@ pub(super) fn renew(model: &mut Model) {
     let search = model.guide.search.take();
     model.guide.search = search.map(|search| new(model, &search.pattern.text));
     look_on(model);
-    if let Some(text) = model.guide.filter.take()
-        && let Err(why) = filter(model, &text)
-    {
+    renew_rows(model);
+}
+
+/// Filters the rows of the tree anew, without the tests if they are hidden.
+pub(super) fn renew_rows(model: &mut Model) {
+    let Some(text) = model.guide.filter.take() else { return rows::keep(model, None) };
+    if let Err(why) = filter(model, &text) {
         show_all(model);
         model.say(&why);
     }

@@ -146,7 +146,7 @@ fn jumps_and_stops_outlive_another_pixel() {
     let (model, _) = after("<Tab> bhit<Enter> r <BackTab> l", (100, 30));
     let entry = |model: &Model| listing(model, Kind::Stops).entries[0].text.clone();
     assert!(entry(&model).contains("\t3,2\thit\thit"), "{}", entry(&model));
-    let (back, traced) = after("<Tab> bhit<Enter> r <BackTab> l L <Enter>", (100, 30));
+    let (back, traced) = after("<Tab> bhit<Enter> r <BackTab> l <Tab> L <Enter>", (100, 30));
     assert_eq!((back.pixel(), back.event, back.overlay), (Some([3, 2]), model.event, None));
     assert_eq!(traced.len(), 2);
     assert!(!entry(&back).contains("3,2"), "{}", entry(&back));
@@ -212,6 +212,101 @@ fn half_blocks_have_the_colours_of_their_pixels() {
     // 20 columns and 10 rows of dots for 8 x 6 pixels: 10/6 dots a pixel, centred.
     let colors: Vec<Color> = frame.content().iter().map(|cell| cell.fg).collect();
     assert!(colors.contains(&Color::Rgb(0, 0, 100)) && colors.contains(&Color::Rgb(140, 0, 100)), "{colors:?}");
+}
+
+#[test]
+fn a_cell_has_the_mean_of_its_pixels() {
+    let image = after("", (100, 30)).0.picture.expect("a picture").image;
+    let mean = |area| image.mean(area, |dot| Some(dot.color));
+    // Columns 2 and 3, rows 1 and 2.
+    assert_eq!(mean([[2.0, 4.0], [1.0, 3.0]]), Some([50.0, 45.0, 100.0]));
+    assert_eq!(mean([[0.0, 8.0], [0.0, 6.0]]), Some([70.0, 75.0, 100.0]));
+    // Where no pixel's middle is, the pixel there; none beyond the picture.
+    assert_eq!(mean([[2.6, 2.9], [1.0, 1.4]]), Some([40.0, 30.0, 100.0]));
+    assert_eq!(mean([[8.0, 8.4], [0.0, 1.0]]), None);
+    let mut view = after("", (100, 30)).0.picture.expect("a picture");
+    assert_eq!(view.area_under([4, 4], [1, 1]), Some([[2.0, 4.0], [1.0, 3.0]]));
+    // Each pixel is in exactly one cell, whatever the screen.
+    for (columns, rows) in (1..12).flat_map(|columns| (1..12).map(move |rows| (columns, rows))) {
+        let counted = std::cell::Cell::new(0);
+        for dot in (0..columns).flat_map(|column| (0..rows).map(move |row| [column, row])) {
+            let area = view.area_under([columns, rows], dot).unwrap_or([[9.0; 2]; 2]);
+            let is_point = area.iter().all(|[from, to]| to - from < 1.0);
+            view.image.mean(area, |dot| {
+                counted.set(counted.get() + 1);
+                Some(dot.color)
+            });
+            if is_point {
+                counted.set(48);
+                break;
+            }
+        }
+        assert_eq!(counted.get(), 48, "{columns}x{rows}");
+    }
+    view.layer = Layer::Depth;
+    assert_eq!(view.image.mean([[2.0, 4.0], [0.0, 6.0]], |dot| view.layer.of(dot).map(|x| [x])), Some([2.5]));
+}
+
+#[test]
+fn a_picture_above_white_is_shown_darker() {
+    let (mut model, _) = after("", (140, 40));
+    let mut view = model.picture.clone().expect("a picture");
+    // The brightest channel is 150.
+    for (white, expected) in [(70.0, -3), (75.0, -2), (150.0, 0), (f64::INFINITY, 0)] {
+        let image = Image { white, ..(*view.image).clone() };
+        view.show(Arc::new(image));
+        assert_eq!(view.fitting, expected, "{white}");
+    }
+    let image = Image { white: 70.0, ..(*view.image).clone() };
+    view.show(Arc::new(image));
+    model.picture = Some(view);
+    model.is_alone = true;
+    let text = dump(&frame(&model, 140, 40, &Theme::new(Palette::None, false)));
+    assert!(text.matches("above white: shown -1.5 stops").count() == 2, "{text}");
+    assert!(text.contains("3,2 ball  ("), "{text}");
+    typed(&mut model, ")");
+    assert_eq!(model.picture.as_ref().map(PictureView::stops), Some(-1.0));
+}
+
+/// With a picture of 400 × 300 pixels on the screen, these keys ask for this pixel.
+#[track_caller]
+fn asks_for(keys: &str, pixel: [u32; 2]) {
+    let mut model = sized(of_pixel(glass(), [200, 150]), 100, 30);
+    let mut image = Image::empty([400, 300], Arc::new(|_, _| [0; 3]));
+    for (number, dot) in image.dots.iter_mut().enumerate() {
+        let value = (number % 1000) as f64;
+        *dot = Some(Dot { color: [value; 3], depth: None, rays: 1, samples: 1, error: Some(value * 1e-9) });
+    }
+    model.picture = Some(PictureView::new(Arc::new(image), [200, 150]));
+    model.focus_on(Pane::Picture);
+    assert_eq!(typed(&mut model, &format!("zo {keys}")), Effect::Trace(pixel), "after {keys}");
+}
+
+#[test]
+fn the_cursor_goes_by_cells_and_to_the_extremes() {
+    // 100 columns and 27 rows, two dots a row: 300/54 pixels a dot.
+    asks_for("L", [206, 150]);
+    asks_for("2H", [188, 150]);
+    asks_for("J", [200, 161]);
+    asks_for("K", [200, 139]);
+    asks_for("+", [199, 2]);
+    asks_for("-", [0, 0]);
+    asks_for("vv +", [0, 0]);
+    asks_for("! Enter", [199, 2]);
+    asks_for("! j Enter", [399, 4]);
+}
+
+#[test]
+fn a_bar_has_the_colours_of_the_layer() {
+    let (model, _) = after("zo v", (100, 30));
+    let shown = frame(&model, 100, 30, &Theme::new(Palette::True, false));
+    let colors: Vec<Color> =
+        shown.content()[..100].iter().filter(|cell| cell.symbol() == "█").map(|cell| cell.fg).collect();
+    assert_eq!(colors.len(), 12);
+    assert_eq!((colors[0], colors[11]), (Color::Rgb(0, 32, 76), Color::Rgb(255, 234, 70)));
+    let text = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, true)));
+    let title = text.lines().next().unwrap_or_default();
+    assert!(title.contains("depth 0 ..") && title.contains("% 7 "), "{title}");
 }
 
 #[test]

@@ -162,6 +162,18 @@ fn plain(character: char) -> Option<&'static str> {
     })
 }
 
+/// A path with steps that repeat counted: `C R×46 S1`.
+pub(super) fn counted(path: &str) -> String {
+    /// Two of a kind are as short as their count.
+    const SEVERAL: usize = 3;
+    let steps: Vec<_> = path.split(' ').collect();
+    let runs = steps.chunk_by(|a, b| a == b).map(|run| match run {
+        [step, ..] if run.len() >= SEVERAL => format!("{step}×{}", run.len()),
+        _ => run.join(" "),
+    });
+    runs.collect::<Vec<_>>().join(" ")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -178,6 +190,17 @@ mod tests {
         wraps("one two three", 20, &["one two three"]);
         wraps("one two three", 8, &["one two", "  three"]);
         wraps("", 8, &[""]);
+    }
+
+    #[test]
+    fn steps_that_repeat_are_counted() {
+        let path = |count: usize| format!("3 C{} S1", " R".repeat(count));
+        assert_eq!(
+            [0, 1, 2, 3, 46].map(|count| counted(&path(count))),
+            ["3 C S1", "3 C R S1", "3 C R R S1", "3 C R×3 S1", "3 C R×46 S1"]
+        );
+        assert_eq!(counted("C T T.1 T.2 T T T"), "C T T.1 T.2 T×3");
+        assert_eq!(counted(""), "");
     }
 
     #[test]

@@ -3,21 +3,18 @@
 //! What they say is made in `report`, once, when a list is opened; here it becomes lines.
 
 use super::effect::Effect;
-use super::listing;
 use super::model::Model;
-use super::model::list::{CELL_END, Entry, Kind, Listing};
+use super::model::list::{Entry, Kind, Listing, MOST, cells};
 use super::theme::Role;
-use crate::log::{Digits, Log, Tree, Value, What};
-use crate::report::contributions::{self, Account, Ended, Group};
+use super::{account, glossary, listing, paper};
+use crate::log::{Digits, Log, Name, Tree, Value, What};
+use crate::report::contributions;
+use crate::report::provenance;
 use crate::report::side_by_side::{self, Row, Run};
-use crate::report::{path_class, provenance, words};
-
-/// The most entries of a list: nobody reads more, and a frame must not wait for them.
-const MOST: usize = 500;
 
 /// Opens a list of this kind, made from where the model is now.
 pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
-    let tells_results = matches!(kind, Kind::Contributions | Kind::Arithmetics);
+    let tells_results = !matches!(kind, Kind::Operands | Kind::Uses | Kind::Glossary);
     if tells_results && model.understanding.quiz.is_some() {
         model.say(model.texts().quiz.tells_results);
         return Effect::None;
@@ -26,8 +23,18 @@ pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
         model.say(why);
         return Effect::None;
     }
+    if kind == Kind::Worst && model.picture.is_none() {
+        model.say(model.texts().messages.no_scene);
+        return Effect::None;
+    }
     if kind == Kind::Arithmetics && model.others.is_empty() {
         return Effect::Compare;
+    }
+    if kind == Kind::Causes && model.understanding.study.is_none() {
+        return Effect::Study;
+    }
+    if kind == Kind::Book && model.understanding.book.is_none() {
+        return Effect::Book;
     }
     model.understanding.listing = Some((kind, make(model, kind)));
     listing::open(model, kind);
@@ -41,7 +48,7 @@ fn is_to_come(model: &Model, kind: Kind) -> Option<&'static str> {
     let own = |node: usize| model.tree.own_events(node).next_back();
     match kind {
         // The colour is the last that a pixel comes to, and says of what was computed before what it brings.
-        Kind::Contributions => own(contributions::pixel_around(&model.tree, model.cursor))
+        Kind::Contributions | Kind::Causes | Kind::Book => own(contributions::pixel_around(&model.tree, model.cursor))
             .filter(|last| !model.guide.is_known(*last))
             .map(|_| texts.color),
         Kind::Arithmetics => own(model.cursor).filter(|last| !model.guide.is_known(*last)).map(|_| texts.node),
@@ -54,7 +61,11 @@ fn make(model: &Model, kind: Kind) -> Listing {
     match kind {
         Kind::Operands => operands(model),
         Kind::Uses => uses(model),
-        Kind::Contributions => account(model),
+        Kind::Contributions => account::listing(model),
+        Kind::Causes => paper::causes(model),
+        Kind::Book => paper::book(model),
+        Kind::Glossary => glossary::listing(model),
+        Kind::Worst => worst(model),
         _ => arithmetics(model),
     }
 }
@@ -112,66 +123,6 @@ fn uses(model: &Model) -> Listing {
     Listing::of(&texts.uses, (texts.uses_title)(&subject(model)), &[], found.into_iter().map(entry).collect())
 }
 
-fn account(model: &Model) -> Listing {
-    let account = contributions::account(&model.log, &model.tree, model.cursor);
-    let (texts, color) = (&model.texts().lists.account, model.color(account.color));
-    let groups = contributions::groups(&account.contributions);
-    let mut entries: Vec<_> = groups.iter().take(MOST).map(|group| contribution(model, &account, group)).collect();
-    if let Some(rest) = groups.get(MOST..).filter(|rest| !rest.is_empty()) {
-        let share: f64 = rest.iter().map(|group| group.sum.share).sum();
-        let rest = format!("{}\t\t\t{}", model.language.percent(share), (texts.smaller)(rest.len()));
-        entries.push(Entry::plain(rest, Role::Faint));
-    }
-    if !account.ended.is_empty() {
-        entries.push(Entry::heading((texts.brings_nothing)(account.ended.len())));
-    }
-    entries.extend(account.ended.iter().take(MOST).map(|ended| self::ended(model, ended)));
-    let class = path_class::of_ray(&model.log, &model.tree, model.cursor);
-    let class = class.map_or(String::new(), |class| (texts.here)(&class));
-    let title = match account.is_whole {
-        true => (texts.title)(&color),
-        false => (texts.so_far)(&color),
-    };
-    // What matters most comes first: the share.
-    Listing::of(&texts.list, title + &class, &[0], entries)
-}
-
-/// So much of the colour, and of each of its channels, and where it comes from.
-fn contribution(model: &Model, account: &Account, Group { sum: part, count }: &Group) -> Entry {
-    let header = &model.log.header;
-    let origin = words::origin(model.language, header, part.origin);
-    let color = model.color(part.color);
-    let times = if *count == 1 { String::new() } else { format!("×{count}") };
-    let weight = (part.weight != [1.0; 3] && *count == 1)
-        .then(|| format!("= {} * {}", model.color(part.own), triple(model, &part.weight)));
-    let channel = |channel| {
-        part.share_of(channel, &account.color).map_or("-".to_owned(), |x| format!("{:.0}", (100.0 * x).round() + 0.0))
-    };
-    let channels = format!("[{}]", [0, 1, 2].map(channel).join(" "));
-    let (share, cases) =
-        (model.language.percent(part.share), (model.texts().lists.account.cases)(part.cases).to_owned());
-    let weight = weight.unwrap_or_default();
-    let text = cells([share, part.path.clone(), times, origin, part.class.clone(), cases, channels, color, weight]);
-    Entry { target: part.event, ..Entry::plain(text, Role::Text) }
-}
-
-/// The text of an entry with these cells.
-fn cells<const N: usize>(cells: [String; N]) -> String {
-    cells.join(CELL_END.encode_utf8(&mut [0; 4]))
-}
-
-/// A weight, as one number where the channels have the same.
-fn triple(model: &Model, weight: &[f64; 3]) -> String {
-    let is_gray = weight[0] == weight[1] && weight[1] == weight[2];
-    let value = if is_gray { Value::Number(weight[0]) } else { Value::Triple(*weight) };
-    model.value(&value)
-}
-
-fn ended(model: &Model, ended: &Ended) -> Entry {
-    let why = words::ended(model.language, &model.log, ended, model.numbers);
-    Entry { role: Role::Blocked, ..Entry::to(ended.event, format!("  {}  {why}", ended.path)) }
-}
-
 fn arithmetics(model: &Model) -> Listing {
     let trees: Vec<Tree> = model.others.iter().map(|log| Tree::of(&log.events)).collect();
     let own = Run { log: &model.log, tree: &model.tree };
@@ -200,6 +151,22 @@ fn arithmetics(model: &Model) -> Listing {
     Listing::of(&texts.list, title, &[1, 2, 3, 4], entries)
 }
 
+/// The pixels that single precision misses most, as far as that is known yet.
+fn worst(model: &Model) -> Listing {
+    let texts = &model.texts().lists;
+    let Some(view) = &model.picture else { return Listing::default() };
+    let mut wrong: Vec<_> = view.image.values(|dot| dot.error.filter(|error| *error > 0.0)).collect();
+    // Stable: equal ones stay in the order of the picture.
+    wrong.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    let entry = |(pixel, error): ([u32; 2], f64)| {
+        let color = view.image.at(pixel).map_or(String::new(), |dot| model.color(dot.color));
+        let text = cells([model.value(&Value::Number(error)), format!("{},{}", pixel[0], pixel[1]), color]);
+        Entry { pixel: Some(pixel), ..Entry::plain(text, Role::Text) }
+    };
+    let entries = wrong.into_iter().take(MOST).map(entry).collect();
+    Listing::of(&texts.worst, texts.worst_title, &[], entries)
+}
+
 /// A line a component.
 fn row_entries(model: &Model, row: &Row, columns: [Option<usize>; 3]) -> Vec<Entry> {
     let texts = &model.texts().lists.arithmetics;
@@ -212,7 +179,7 @@ fn row_entries(model: &Model, row: &Row, columns: [Option<usize>; 3]) -> Vec<Ent
         let marked = |text: String| model.language.marked(text);
         let axis = if count == 1 { "" } else { [" 1", " 2", " 3"][index.min(2)] };
         let text = cells([
-            format!("{}{axis}", row.name.symbol()),
+            format!("{}{axis}", row.name.map_or(texts.color, Name::symbol)),
             hand.map_or_else(absent, |x| marked(shortest(x, |x| x.to_string()))),
             single.map_or_else(absent, |x| marked(shortest(x, |x| (x as f32).to_string()))),
             digits(row.digits, index, texts.decided_otherwise),

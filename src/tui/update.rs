@@ -90,6 +90,8 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Uses => return understanding::open(model, Kind::Uses),
         Action::Contributions => return understanding::open(model, Kind::Contributions),
         Action::Arithmetics => return understanding::open(model, Kind::Arithmetics),
+        Action::Causes => return understanding::open(model, Kind::Causes),
+        Action::Glossary => return understanding::open(model, Kind::Glossary),
         Action::Back => return jumps::back(model),
         Action::Quiz => quiz::toggle(model),
         Action::Answer => quiz::ask(model),
@@ -109,7 +111,8 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Quit => return Effect::Leave(Exit::Quit),
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
-        Action::ZoomIn | Action::ZoomOut | Action::Brighter | Action::Darker | Action::NextView => {
+        Action::Worst => return understanding::open(model, Kind::Worst),
+        Action::ZoomIn | Action::ZoomOut | Action::Brighter | Action::Darker | Action::NextView | Action::CellLeft => {
             model.say(model.texts().messages.other_pane);
         }
         Action::Unknown => model.say(model.texts().messages.no_key),

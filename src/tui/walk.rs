@@ -33,6 +33,7 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
             model.guide.history.remember(Purpose::Filter, filter);
             model.prompt = Some(Prompt::new(Purpose::Filter));
         }
+        Walk::Tests => toggle_tests(model),
         Walk::Mark(letter) => bookmarks::set(model, letter),
         Walk::GoTo('\'') => return jumps::over(model),
         Walk::GoTo(letter) => bookmarks::go(model, letter),
@@ -83,4 +84,12 @@ fn toggle_growing(model: &mut Model) {
         model.grow();
         model.say(model.texts().messages.tree_grows);
     }
+}
+
+/// Hides the intersection tests, or shows them again.
+fn toggle_tests(model: &mut Model) {
+    model.guide.hides_tests = !model.guide.hides_tests;
+    search::renew_rows(model);
+    let messages = &model.texts().messages;
+    model.say(if model.guide.hides_tests { messages.tests_hidden } else { messages.tests_shown });
 }

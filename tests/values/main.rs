@@ -37,5 +37,6 @@ mod shadow_shafts;
 mod skipped_light;
 mod skips;
 mod textbook;
+mod totals;
 mod trust;
 mod understanding;

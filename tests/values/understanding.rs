@@ -341,7 +341,7 @@ fn arithmetics_side_by_side() {
     let event = at(runs[0].log, "sphere.t2_a", 3);
     let table = table(&runs, runs[0].tree.owner(event));
     assert_eq!((table.reaches.as_slice(), table.agrees.as_slice()), ([true; 3].as_slice(), [true; 3].as_slice()));
-    let row = table.rows.iter().find(|row| row.name.key() == "sphere.t2_a").expect("its row");
+    let row = table.rows.iter().find(|row| row.name.is_some_and(|name| name.key() == "sphere.t2_a")).expect("its row");
     let numbers: Vec<f64> = row.values.iter().flatten().map(|value| value.components()[0]).collect();
     assert_eq!(numbers[0], 6.38);
     assert_eq!(f64::from(numbers[1] as f32), numbers[1]);

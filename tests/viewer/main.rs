@@ -10,6 +10,7 @@ mod support;
 mod beside;
 mod frames;
 mod pictures;
+mod questions;
 mod spanish;
 #[cfg(unix)]
 mod terminal;

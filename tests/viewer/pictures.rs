@@ -8,7 +8,7 @@ use std::path::Path;
 /// The file, the walk, the keys and the size.
 const PICTURES: [(&str, &[&str], &str, &str); 3] = [
     ("viewer", &["textbook", "--arithmetic", "decimal:3"], "30n", "110,30"),
-    ("viewer-why", &["textbook"], "w", "100,20"),
+    ("viewer-why", &["textbook"], "w", "100,28"),
     ("viewer-panes", &["glass-and-mirror"], "12n 2} Shift-Tab", "150,40"),
 ];
 

@@ -121,7 +121,7 @@ fn the_walk_as_text_is_the_log_as_text() {
 }
 
 /// Keys that lead to every pane, list, line and message; each is tried at several sizes.
-const EVERYWHERE: [&str; 71] = [
+const EVERYWHERE: [&str; 75] = [
     "",
     "28n",
     "j",
@@ -154,6 +154,10 @@ const EVERYWHERE: [&str; 71] = [
     "w",
     "3n a",
     "3n a 9j",
+    "0 a",
+    "V",
+    "30n V",
+    "T",
     "B",
     "bhit Enter B",
     "bhit Enter bmiss Enter 5r L",
@@ -281,6 +285,13 @@ fn strings_by_language() -> [Vec<String>; 2] {
         if file.path == "words.rs" {
             for (number, (_, text)) in file.strings().into_iter().enumerate() {
                 found[number % 2].push(text.to_owned());
+            }
+            continue;
+        }
+        if file.path == "viewer/glossary.rs" {
+            // A key or a sign, and what it means in both.
+            for (number, (_, text)) in file.strings().into_iter().enumerate().filter(|(number, _)| number % 3 > 0) {
+                found[number % 3 - 1].push(text.to_owned());
             }
             continue;
         }

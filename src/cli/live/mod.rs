@@ -5,12 +5,17 @@ mod paths;
 mod picture;
 pub mod workbench;
 
+use crate::cli::textbook::scene_of;
 use glam::DVec3;
 use picture::Rendering;
 use raywalk::log::{Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
+use raywalk::report::causes::Study;
+use raywalk::report::paper::Paper;
 use raywalk::scene::Scene;
+use raywalk::study::rounding::{self, MAX_CAUSES, Rounding};
+use raywalk::study::textbook::{self, Example};
 use raywalk::tui::{Change, Drawing, Image, Live, Refusal, Wanted};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -44,14 +49,18 @@ impl Session {
 }
 
 fn log_of(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Log, Refusal> {
-    record::bounded(scene, part, arithmetic).map_err(|cut_off| match cut_off {
+    record::bounded(scene, part, arithmetic).map_err(refusal)
+}
+
+fn refusal(cut_off: CutOff) -> Refusal {
+    match cut_off {
         CutOff::TooLong { most } => Refusal::TooLong(most),
         CutOff::Memory => Refusal::NoMemory,
         CutOff::Io(error) => Refusal::Other(error.to_string()),
-    })
+    }
 }
 
-/// What is traced again of a scene, of which the picture may be smaller than it was.
+/// The part of a scene that is traced for a subject. The picture may be smaller than it was.
 fn part_in(scene: &Scene, subject: Subject) -> Result<Part, Refusal> {
     let [width, height] = scene.camera.resolution;
     match subject {
@@ -130,4 +139,46 @@ impl Live for Session {
     fn source(&mut self, object: Option<u32>) -> Option<(PathBuf, usize)> {
         self.workbench.place(object)
     }
+
+    fn study(&mut self, subject: Subject) -> Result<Study, Refusal> {
+        let rounding = Rounding::of(self.workbench.arithmetic()).unwrap_or(Rounding::Decimal(3));
+        rounding::study(&self.scene, part_in(&self.scene, subject)?, rounding).map_err(|cut_off| match cut_off {
+            CutOff::TooLong { .. } => Refusal::TooManyQuantities(MAX_CAUSES),
+            other => refusal(other),
+        })
+    }
+
+    fn book(&mut self, subject: Subject) -> Result<Paper, Refusal> {
+        book(&self.scene.digest, subject)
+    }
+}
+
+/// What can be asked of a saved log, which has no scene.
+pub struct SavedLog {
+    /// The digest of the scene that it is of.
+    pub digest: String,
+}
+
+impl Live for SavedLog {
+    fn trace(&mut self, _: [u32; 2]) -> Result<Log, Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    fn compare(&mut self, _: Subject) -> Result<Vec<Log>, Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    fn book(&mut self, subject: Subject) -> Result<Paper, Refusal> {
+        book(&self.digest, subject)
+    }
+}
+
+/// The worked example on the scene with this digest, which is another with other options for tracing.
+fn book(digest: &str, subject: Subject) -> Result<Paper, Refusal> {
+    let scenes = Example::ALL.into_iter().filter_map(|example| Some((example, scene_of(example).ok()?)));
+    let is_it = |scene: &Scene| {
+        scene.digest == digest && subject == Subject::Pixel(scene.camera.resolution.map(|side| side / 2))
+    };
+    let (example, scene) = scenes.into_iter().find(|(_, scene)| is_it(scene)).ok_or(Refusal::NoExample)?;
+    Ok(Paper { scene: example.scene(), rows: textbook::table(example, &scene).steps })
 }

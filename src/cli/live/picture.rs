@@ -33,7 +33,12 @@ struct Shared {
 pub fn empty(scene: &Scene) -> Arc<Image> {
     let output = scene.output;
     let levels = move |color: [f64; 3], stops: f64| export::levels(color, &output, stops);
-    Arc::new(Image::empty(scene.camera.resolution, Arc::new(levels)))
+    let mut empty = Image::empty(scene.camera.resolution, Arc::new(levels));
+    // Who asks for an exposure gets it.
+    if output.exposure == 0.0 {
+        empty.white = output.white;
+    }
+    Arc::new(empty)
 }
 
 /// The picture with the dots of these pixels.

@@ -103,6 +103,11 @@ impl Language {
         self.marked(format!("{:.1} %", 100.0 * share + 0.0))
     }
 
+    /// A number or triple as a text in English prints it, such as `(4, 6, 8)`.
+    pub fn paper(self, text: &str) -> String {
+        self.marked(text.replace(", ", self.texts().separator))
+    }
+
     /// A number that is written already, with the language's decimal mark.
     pub fn marked(self, text: String) -> String {
         if self.texts().decimal_mark == '.' { text } else { text.replace('.', &self.texts().decimal_mark.to_string()) }

@@ -1,11 +1,11 @@
 //! Which rounding caused the error of a result: each quantity on its own, and all but each.
 
 mod rounded;
-mod views;
 
+pub use crate::report::causes::{Cause, Change, Study};
 pub use rounded::Rounding;
 
-use crate::log::{Log, Name, Tree, What};
+use crate::log::{Log, Tree, What};
 use crate::probe::{Altered, CutOff, Erased, Position, RayTree, Recorder, Silent, until_cut_off};
 use crate::record::{self, Arithmetic, Computation, Part, PartOf};
 use crate::scene::Scene;
@@ -16,58 +16,6 @@ pub const MAX_CAUSES: usize = 4096;
 
 /// How many runs round every quantity up or down at random.
 pub const RUNS: u32 = 100;
-
-/// The error of a result, and what caused it.
-#[derive(Clone, Debug)]
-pub struct Study {
-    /// What was traced, in which arithmetic; its events are those of the computation with nothing rounded.
-    pub log: Log,
-    /// The result in that arithmetic.
-    pub rounded: [f64; 3],
-    /// The result in f64.
-    pub exact: [f64; 3],
-    /// How far such a result may be off: half the root of the mean square by which results are off when every quantity is
-    /// rounded up or down at random. Half, because such an error is twice as large as that of rounding to the nearest: in
-    /// the mean its square is 1/3 of a step's instead of 1/12.
-    pub spread: [f64; 3],
-    /// Whether rounding changed the ray tree: then quantities may be missing here, and changes be jumps.
-    pub decides_otherwise: bool,
-    /// The quantities of the computation in f64, those first that change the result most when only they are rounded.
-    pub causes: Vec<Cause>,
-}
-
-/// What the rounding of one quantity does.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Cause {
-    /// The path of the ray around it, such as `C R`.
-    pub path: String,
-    /// The node that it belongs to.
-    pub node: usize,
-    /// The quantity.
-    pub name: Name,
-    /// Which one of that name in its node, from 1.
-    pub number: usize,
-    /// The result with only this quantity rounded.
-    pub only: Change,
-    /// The result with all quantities but this one rounded.
-    pub all_but: Change,
-}
-
-/// A result as it differs from that in f64.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Change {
-    /// Red, green, blue, less what they are in f64.
-    pub color: [f64; 3],
-    /// Whether the ray tree is another.
-    pub decides_otherwise: bool,
-}
-
-impl Change {
-    /// The largest change of a channel.
-    pub fn size(&self) -> f64 {
-        self.color.iter().fold(0.0, |size: f64, x| size.max(x.abs()))
-    }
-}
 
 impl Rounding {
     /// The rounding that makes an arithmetic; `None` for others.
@@ -115,6 +63,7 @@ pub fn study(scene: &Scene, part: Part, rounding: Rounding) -> Result<Study, Cut
         rounded,
         exact: experiments.exact,
         spread: experiments.spread(),
+        runs: RUNS,
         decides_otherwise: tree != experiments.exact_tree,
         causes,
     })
@@ -188,6 +137,7 @@ fn occurrences(log: &Log) -> Vec<(Cause, u64)> {
                 let cause = Cause {
                     path: tree.path(node),
                     node,
+                    event: at,
                     name,
                     number: tree.own_events_before(node, at).filter(is_same).count() + 1,
                     only: NOTHING,

@@ -30,6 +30,8 @@ pub enum Walk {
     NextMatch,
     PreviousMatch,
     Filter,
+    /// Hide the intersection tests, or show them.
+    Tests,
     /// Set the bookmark with this letter.
     Mark(char),
     /// Go to the bookmark with this letter; to before the last jump with `'`.
@@ -72,6 +74,7 @@ pub(super) const TABLE: &[Row] = &[
     row(|groups| groups.find, &[";"], Action::Walk(Walk::NextMatch), |keys| keys.next_match),
     row(|groups| groups.find, &[","], Action::Walk(Walk::PreviousMatch), |keys| keys.previous_match),
     row(|groups| groups.find, &["f"], Action::Walk(Walk::Filter), |keys| keys.filter),
+    row(|groups| groups.find, &["T"], Action::Walk(Walk::Tests), |keys| keys.tests),
     row(|groups| groups.keep, &["m+letter"], Action::Walk(Walk::Mark('a')), |keys| keys.mark),
     row(|groups| groups.keep, &["'+letter"], Action::Walk(Walk::GoTo('a')), |keys| keys.go_to_mark),
     row(|groups| groups.keep, &["''"], Action::Walk(Walk::GoTo('\'')), |keys| keys.jump_back),

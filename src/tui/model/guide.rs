@@ -22,6 +22,8 @@ pub struct Guide {
     pub search: Option<Search>,
     /// What the rows of the tree must match.
     pub filter: Option<String>,
+    /// Whether the tree is shown without intersection tests.
+    pub hides_tests: bool,
     /// The places to come back to.
     pub bookmarks: Vec<Bookmark>,
     /// Where jumps began.

@@ -20,6 +20,14 @@ pub enum Kind {
     Contributions,
     /// The selected node's values in several arithmetics.
     Arithmetics,
+    /// Which rounding caused the error of the result.
+    Causes,
+    /// The worked example that the log is of.
+    Book,
+    /// What the symbols mean.
+    Glossary,
+    /// The pixels that single precision misses most.
+    Worst,
 }
 
 impl Kind {
@@ -76,8 +84,16 @@ impl Listing {
     }
 }
 
+/// The most entries of a list: nobody reads more, and a frame must not wait for them.
+pub const MOST: usize = 500;
+
 /// What is between two cells in the text of an entry.
 pub const CELL_END: char = '\t';
+
+/// The text of an entry with these cells.
+pub fn cells<const N: usize>(cells: [String; N]) -> String {
+    cells.join(CELL_END.encode_utf8(&mut [0; 4]))
+}
 
 /// An entry of a list.
 #[derive(Clone, Debug)]
@@ -88,6 +104,8 @@ pub struct Entry {
     pub role: Role,
     /// The event that `Enter` goes to; that of a stop may be of another pixel.
     pub target: Option<usize>,
+    /// The pixel that it goes to instead.
+    pub pixel: Option<[u32; 2]>,
     /// Whether it is only a heading of those below, which can't be selected.
     pub is_heading: bool,
 }
@@ -100,12 +118,17 @@ impl Entry {
 
     /// An entry that leads nowhere.
     pub fn plain(text: String, role: Role) -> Entry {
-        Entry { text, role, target: None, is_heading: false }
+        Entry { text, role, target: None, pixel: None, is_heading: false }
     }
 
     /// A heading of the entries below.
     pub fn heading(text: String) -> Entry {
         Entry { is_heading: true, ..Entry::plain(text, Role::Title) }
+    }
+
+    /// Whether it leads anywhere.
+    pub fn leads(&self) -> bool {
+        self.target.is_some() || self.pixel.is_some()
     }
 
     /// Whether it is laid out in the columns of its list, not across them.

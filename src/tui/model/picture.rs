@@ -15,6 +15,8 @@ pub struct Image {
     pub dots: Vec<Option<Dot>>,
     /// What a file would hold of a colour that is brighter by this many stops.
     pub levels: Levels,
+    /// The value that is shown as full white; infinite where no exposure may be chosen for it.
+    pub white: f64,
 }
 
 /// From a colour and stops of exposure to three bytes.
@@ -61,8 +63,10 @@ pub struct PictureView {
     pub cursor: [u32; 2],
     /// What is shown.
     pub layer: Layer,
-    /// Half stops of exposure.
+    /// Half stops of exposure, on top of those that fit.
     pub exposure: i32,
+    /// Half stops of exposure that fit the picture into what can be shown.
+    pub fitting: i32,
     /// How often it is enlarged twofold, from the whole picture on.
     pub zoom: u32,
     /// Whether nothing more of it is to come.
@@ -79,7 +83,7 @@ impl Image {
     /// The picture of this size without any dots; the step is the least with which it has no more than 2²⁰ dots.
     pub fn empty(size: [u32; 2], levels: Levels) -> Image {
         let step = (1..).find(|step| dots_of(size, *step) <= MOST_DOTS).unwrap_or(1);
-        Image { size, step, dots: vec![None; dots_of(size, step)], levels }
+        Image { size, step, dots: vec![None; dots_of(size, step)], levels, white: f64::INFINITY }
     }
 
     /// Columns of dots.
@@ -111,6 +115,50 @@ impl Image {
         })
     }
 
+    /// The mean over the dots whose middles lie within an area, from its left to its right edge and from its upper to its lower one; the
+    /// nearest dot where there is none.
+    pub fn mean<const N: usize>(&self, area: [[f64; 2]; 2], of: impl Fn(&Dot) -> Option<[f64; N]>) -> Option<[f64; N]> {
+        let step = f64::from(self.step);
+        let counts = [self.columns(), self.rows()];
+        let [columns, rows] = [0, 1].map(|axis| {
+            let [from, to] = area[axis].map(|edge| (edge / step - 0.5).ceil().max(0.0) as u32);
+            from.min(counts[axis])..to.min(counts[axis])
+        });
+        let (mut sum, mut count) = ([0.0; N], 0_u32);
+        for row in rows {
+            let start = row as usize * counts[0] as usize;
+            let dots = &self.dots[start + columns.start as usize..start + columns.end.max(columns.start) as usize];
+            for value in dots.iter().flatten().filter_map(&of) {
+                sum = std::array::from_fn(|at| sum[at] + value[at]);
+                count += 1;
+            }
+        }
+        if count > 0 {
+            return Some(sum.map(|sum| sum / f64::from(count)));
+        }
+        let middle = [0, 1].map(|axis| (area[axis][0] + area[axis][1]) / 2.0);
+        let is_inside = (0..2).all(|axis| middle[axis] >= 0.0 && middle[axis] < self.size[axis].into());
+        if is_inside { of(self.at(middle.map(|place| place as u32))?) } else { None }
+    }
+
+    /// The half stops of exposure with which no more than a fiftieth of the dots is above white; none for a picture that isn't above it.
+    pub fn fitting_exposure(&self) -> i32 {
+        let brightest = |dot: &Dot| dot.color.into_iter().fold(0.0, f64::max);
+        let mut values: Vec<f64> = self.dots.iter().flatten().map(brightest).filter(|x| x.is_finite()).collect();
+        let Some(last) = values.len().checked_sub(1) else { return 0 };
+        let at = last - last / 50;
+        let (_, value, _) = values.select_nth_unstable_by(at, f64::total_cmp);
+        let above = libm::log2(*value / self.white);
+        if above > 0.0 { -((2.0 * above).ceil().min(60.0) as i32) } else { 0 }
+    }
+
+    /// The pixels with a value, from the top left on.
+    pub fn values(&self, of: impl Fn(&Dot) -> Option<f64>) -> impl Iterator<Item = ([u32; 2], f64)> {
+        let columns = self.columns() as usize;
+        let pixel = move |at: usize| [at % columns, at / columns].map(|place| place as u32 * self.step);
+        self.dots.iter().enumerate().filter_map(move |(at, dot)| Some((pixel(at), of(dot.as_ref()?)?)))
+    }
+
     /// The least and the greatest value of a layer.
     pub fn range(&self, layer: Layer) -> Option<[f64; 2]> {
         let values = self.dots.iter().flatten().filter_map(|dot| layer.of(dot));
@@ -140,6 +188,11 @@ impl Layer {
         language.texts().viewer.panes.picture.layers[self as usize]
     }
 
+    /// By what the pixels of a layer are ranked: its values, and the brightness of colours.
+    pub fn rank(self, dot: &Dot) -> Option<f64> {
+        if self == Layer::Colors { Some(dot.color.iter().sum()) } else { self.of(dot) }
+    }
+
     /// The value of a dot; `None` for a colour and for what isn't known.
     pub fn of(self, dot: &Dot) -> Option<f64> {
         match self {
@@ -155,12 +208,14 @@ impl Layer {
 impl PictureView {
     /// The whole picture, with the cursor at this pixel.
     pub fn new(image: Arc<Image>, cursor: [u32; 2]) -> PictureView {
-        PictureView { image, cursor, layer: Layer::Colors, exposure: 0, zoom: 0, is_finished: false }
+        let fitting = image.fitting_exposure();
+        PictureView { image, cursor, layer: Layer::Colors, exposure: 0, fitting, zoom: 0, is_finished: false }
     }
 
     /// Shows a picture with more dots.
     pub fn show(&mut self, image: Arc<Image>) {
         self.is_finished = image.dots.iter().all(|dot| dot.is_some_and(|dot| dot.error.is_some()));
+        self.fitting = image.fitting_exposure();
         self.image = image;
     }
 
@@ -181,6 +236,18 @@ impl PictureView {
             }
             Layer::Error => Wanted::All,
         }
+    }
+
+    /// The stops of exposure with which the picture is shown.
+    pub fn stops(&self) -> f64 {
+        f64::from(self.exposure + self.fitting) / 2.0
+    }
+
+    /// The area of the picture under a dot of such a screen, along each axis; `None` beyond the picture.
+    pub fn area_under(&self, screen: [u32; 2], dot: [u32; 2]) -> Option<[[f64; 2]; 2]> {
+        self.pixel_under(screen, dot)?;
+        let (scale, start) = self.window(screen);
+        Some([0, 1].map(|axis| [0, 1].map(|side| start[axis] + scale * f64::from(dot[axis] + side))))
     }
 
     /// How many pixels a dot of the screen stands for, on a screen of this many dots, and where the first one lies.

@@ -1,13 +1,20 @@
 //! What is kept to explain with: the list that was opened, and the quiz.
 
 use super::list::{Kind, Listing};
+use crate::report::causes::Study;
+use crate::report::paper::Paper;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// What the viewer keeps for understanding.
 #[derive(Clone, Debug, Default)]
 pub struct Understanding {
     /// The list that was opened last, made once.
     pub listing: Option<(Kind, Listing)>,
+    /// Which rounding caused the error of the log's result, once somebody asked for it.
+    pub study: Option<Arc<Study>>,
+    /// The worked example that the log is of, likewise.
+    pub book: Option<Arc<Paper>>,
     /// The quiz, while it is on.
     pub quiz: Option<Quiz>,
 }

@@ -58,8 +58,8 @@ fn commands() {
         ("bookmark", "expected one letter"),
         ("bookmark ab", "expected one letter"),
         ("serach x", "did you mean :search?"),
-        ("b", "may be :bookmark LETTER, :bookmarks, :break CONDITION"),
-        ("xyzzy", "expected a step or a command: :bookmark LETTER"),
+        ("b", "may be :book, :bookmark LETTER, :bookmarks, :break CONDITION"),
+        ("xyzzy", "expected a step or a command: :book, :bookmark LETTER"),
         ("quit now", "nothing may follow :quit"),
         ("break object x", "no object"),
     ] {
@@ -166,7 +166,8 @@ fn completes(key: &str, text: &str, expected: &str) {
 #[test]
 fn lines_are_completed() {
     completes(":", "se", "search ");
-    completes(":", "boo", "bookmark");
+    completes(":", "boo", "book");
+    completes(":", "bookm", "bookmark");
     completes(":", "brea", "break");
     completes(":", "break object b", "break object ball");
     completes("b", "light beh", "light behind the wall");

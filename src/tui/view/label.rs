@@ -4,7 +4,7 @@ use super::table::cut;
 use crate::log::{Decision, Step, What};
 use crate::report::words;
 use crate::tui::model::Model;
-use crate::tui::text::{Piece, shown, width_of};
+use crate::tui::text::{Piece, counted, shown, width_of};
 use crate::tui::theme::{Role, Theme};
 use ratatui::style::Style;
 
@@ -127,10 +127,10 @@ fn short_title(model: &Model, node: usize, theme: &Theme) -> String {
     shown(&title, theme)
 }
 
-/// The path of a ray. Of a long one only the end: the nodes around it have the rest.
+/// The path of a ray, its repetitions counted. Of a long one only the end: the nodes around it have the rest.
 fn end_of_path(model: &Model, node: usize) -> String {
     const LONG: usize = 4;
-    let path = model.tree.shown_path(node);
+    let path = counted(&model.tree.shown_path(node));
     match path.rmatch_indices(' ').nth(LONG - 1) {
         Some((end, _)) => format!("…{}", &path[end..]),
         None => path,

@@ -5,7 +5,7 @@ use super::{clear, draw_frame, inner, put, put_all};
 use crate::report::language::viewer::Hints;
 use crate::tui::listing::listing;
 use crate::tui::model::Model;
-use crate::tui::model::list::{Kind, Listing};
+use crate::tui::model::list::{Entry, Kind, Listing};
 use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Palette, Role, Theme};
 use ratatui::buffer::Buffer;
@@ -21,7 +21,7 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
     let place = Place::of(&listing, &table, kind.hints(hints).first().unwrap_or(&hints.usual[0]), buffer.area);
     clear(place.area, buffer);
     let last_shift = place.last_shift(&table);
-    let has_targets = !kind.hints(hints).is_empty() || listing.entries.iter().any(|entry| entry.target.is_some());
+    let has_targets = !kind.hints(hints).is_empty() || listing.entries.iter().any(Entry::leads);
     let hint = hint(kind, hints, &place, has_targets, last_shift > 0);
     draw_frame(&listing.title, hint, theme, place.area, buffer);
     let (head, body) = (place.head, place.body);
@@ -43,11 +43,7 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
     let top = place.top(selected, &table);
     let lines = table.rows.iter().zip(&listing.entries).enumerate().skip(top).map(|(number, (text, entry))| {
         let mark = if number == selected { theme.glyphs.current } else { " " };
-        let text = if entry.is_heading {
-            cut(text, 0, place.room(), theme)
-        } else {
-            seen(text, if entry.has_cells() { fixed } else { 0 })
-        };
+        let text = seen(text, if entry.has_cells() { fixed } else { 0 });
         Line::from(vec![
             Span::styled(format!("{mark} "), theme.style(Role::Current)),
             Span::styled(text, theme.style(entry.role)),

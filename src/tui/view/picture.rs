@@ -1,9 +1,10 @@
 //! The picture, two dots to a character: half blocks, or shades where there are no colours.
 
 use super::{put, title};
-use crate::log::{Value, What};
+use crate::log::{Decision, RayKind, Value, What};
+use crate::report::words;
 use crate::tui::model::layout::Layout;
-use crate::tui::model::picture::{Dot, Layer, PictureView};
+use crate::tui::model::picture::{Layer, PictureView};
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Background, Palette, Theme, of_index};
@@ -25,26 +26,70 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
             target.set_symbol(symbol).set_style(style);
         }
     }
+    draw_bar(model, &brush, area, buffer);
     let below = Rect { y: dots.bottom(), height: body.height - dots.height, ..body };
     put(buffer, below, Line::raw(shown(&under_cursor(model, view, usize::from(below.width)), theme)));
+}
+
+/// The columns of the colour bar.
+const BAR: u16 = 12;
+
+/// The colour bar in the rule above a picture in false colours, where the name leaves blanks for it.
+fn draw_bar(model: &Model, brush: &Brush, area: Rect, buffer: &mut Buffer) {
+    if brush.range.is_none() {
+        return;
+    }
+    let name = name(model, brush.view, brush.range, brush.theme);
+    let Some(before) = name.split(&bar()).next().filter(|before| before.len() < name.len()) else { return };
+    let start = area.x.saturating_add(3 + width_of(before) as u16);
+    for column in 0..BAR {
+        let color = false_color(f64::from(column) / f64::from(BAR - 1));
+        let place = Rect { x: start.saturating_add(column), width: 1, height: 1, ..area }.intersection(area);
+        let symbol = if brush.has_shades() { brush.shade(luminance(color)) } else { "█" };
+        let style = Style::reset().fg(brush.terminal_color(color));
+        for position in place.intersection(buffer.area).positions() {
+            if let Some(cell) = buffer.cell_mut(position) {
+                cell.set_symbol(symbol).set_style(style);
+            }
+        }
+    }
+}
+
+/// The blanks that the colour bar takes.
+fn bar() -> String {
+    " ".repeat(usize::from(BAR))
 }
 
 fn name(model: &Model, view: &PictureView, range: Option<[f64; 2]>, theme: &Theme) -> String {
     let figure = |value| model.language.marked(figure(value));
     let mut name = view.layer.word(model.language).to_owned();
     if let Some([least, greatest]) = range {
-        name += &format!(" {} … {}", figure(least), figure(greatest));
+        name += &format!(" {} {} {}", figure(least), bar(), figure(greatest));
     }
-    if view.exposure != 0 && view.layer == Layer::Colors {
-        let stops = model.language.marked(format!("{:+.1}", f64::from(view.exposure) / 2.0));
-        name += &format!(" {}", (model.texts().panes.picture.exposure)(&stops));
+    if view.stops() != 0.0 && view.layer == Layer::Colors {
+        let (texts, stops) = (&model.texts().panes.picture, stops(model, view.stops()));
+        name += " ";
+        name += &if view.fitting == 0 { (texts.exposure)(&stops) } else { (texts.fitting)(&stops) };
     }
     shown(&name, theme)
 }
 
+/// Stops of exposure with their sign.
+fn stops(model: &Model, stops: f64) -> String {
+    model.language.marked(format!("{stops:+.1}"))
+}
+
 /// A figure of a layer: a count, or a number with three digits.
 fn figure(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e9 { format!("{value}") } else { format!("{value:.3e}") }
+    let size = value.abs();
+    if value.fract() == 0.0 && size < 1e9 {
+        format!("{value}")
+    } else if (0.01..1000.0).contains(&size) {
+        let decimals = if size < 1.0 { 3 } else { 2 - libm::log10(size) as usize };
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.1e}")
+    }
 }
 
 fn remark(view: &PictureView) -> String {
@@ -61,13 +106,17 @@ fn under_cursor(model: &Model, view: &PictureView, room: usize) -> String {
     let is_to_come = model.facts.value(0).is_some_and(|event| !model.guide.is_known(event));
     let is_told = model.understanding.quiz.is_none() && !is_to_come;
     let Some(dot) = view.image.at(view.cursor).filter(|_| is_told) else { return place };
-    let place = match view.layer.of(dot) {
-        Some(value) => {
-            format!("{place}  {} {}", view.layer.word(model.language), model.language.marked(figure(value)))
-        }
-        None => place,
-    };
     let texts = &model.texts().panes.picture;
+    let named = object(model).map_or_else(|| place.clone(), |object| format!("{place} {object}"));
+    let value = view.layer.of(dot).map_or(String::new(), |value| {
+        format!("  {} {}", view.layer.word(model.language), model.language.marked(figure(value)))
+    });
+    let fitting = match view.layer {
+        Layer::Colors if view.fitting != 0 => {
+            format!("  {}", (texts.fitting)(&stops(model, f64::from(view.fitting) / 2.0)))
+        }
+        _ => String::new(),
+    };
     // The tree has the colour with all of its samples already, and in `printed` that of the book.
     let color = traced(model, view.cursor).unwrap_or(dot.color);
     let linear = model.color(color);
@@ -76,9 +125,13 @@ fn under_cursor(model: &Model, view: &PictureView, room: usize) -> String {
     let rays = if dot.is_rough { String::new() } else { format!("  {}", (texts.rays)(dot.rays)) };
     let counts = format!("{}{rays}", depth.unwrap_or_default());
     let texts = [
-        format!("{place}  {linear}  {levels}{counts}"),
-        format!("{place}  {linear}  {levels}"),
-        format!("{place}  {linear}"),
+        format!("{named}{value}  {linear}  {levels}{fitting}{counts}"),
+        format!("{named}{value}  {linear}  {levels}{fitting}"),
+        format!("{named}{value}  {linear}{fitting}"),
+        format!("{named}{value}  {linear}"),
+        format!("{place}{value}  {linear}"),
+        format!("{named}{value}"),
+        format!("{place}{value}"),
     ];
     texts.into_iter().find(|text| width_of(text) <= room).unwrap_or(place)
 }
@@ -88,6 +141,18 @@ fn traced(model: &Model, pixel: [u32; 2]) -> Option<[f64; 3]> {
     let event = model.facts.value(0).filter(|_| model.pixel() == Some(pixel))?;
     match model.log.events[event].what {
         What::Result { color } => Some(color),
+        _ => None,
+    }
+}
+
+/// The object that the cursor's pixel shows, or that it is the background: what its camera ray hits, as far as one may know.
+fn object(model: &Model) -> Option<String> {
+    let tree = &model.tree;
+    let camera = (0..tree.nodes().len()).find(|node| tree.ray(*node) == Some(RayKind::Camera))?;
+    let event = model.facts.outcome(camera).filter(|event| model.guide.is_known(*event))?;
+    match model.log.events[event].decision()? {
+        Decision::Nearest { object } => Some(words::plain(model.log.header.object(object))),
+        Decision::Background => Some(model.texts().panes.outcomes.background.to_owned()),
         _ => None,
     }
 }
@@ -108,11 +173,11 @@ impl Brush<'_> {
         if pixels == [None, None] {
             return None;
         }
-        let [above, below] = pixels.map(|pixel| pixel.and_then(|pixel| self.color(self.view.image.at(pixel)?)));
+        let [above, below] = [row, row + 1].map(|row| self.color(self.view.area_under(self.screen, [column, row])?));
         if self.has_cursor([column, row]) {
             return Some(self.cursor(above.or(below)));
         }
-        if self.theme.has_few_colors() || self.theme.is_ascii() {
+        if self.has_shades() {
             let light = luminance(above.or(below).unwrap_or_default()) * 0.5
                 + luminance(below.or(above).unwrap_or_default()) * 0.5;
             return Some((self.shade(light), Style::reset()));
@@ -123,6 +188,11 @@ impl Brush<'_> {
             (None, below) => ("▄", Style::reset().fg(colored(below))),
             (above, below) => ("▀", Style::reset().fg(colored(above)).bg(colored(below))),
         })
+    }
+
+    /// Whether there are no colours to draw with.
+    fn has_shades(&self) -> bool {
+        self.theme.has_few_colors() || self.theme.is_ascii()
     }
 
     /// Whether the cursor's pixel is seen here: its middle lies in the cell.
@@ -143,12 +213,14 @@ impl Brush<'_> {
         (symbol, style.add_modifier(Modifier::BOLD))
     }
 
-    /// What a dot looks like in this layer.
-    fn color(&self, dot: &Dot) -> Option<[u8; 3]> {
-        if self.view.layer == Layer::Colors {
-            return Some((self.view.image.levels)(dot.color, f64::from(self.view.exposure) / 2.0));
+    /// What an area of the picture looks like in this layer: the mean of its pixels.
+    fn color(&self, area: [[f64; 2]; 2]) -> Option<[u8; 3]> {
+        let view = self.view;
+        if view.layer == Layer::Colors {
+            return Some((view.image.levels)(view.image.mean(area, |dot| Some(dot.color))?, view.stops()));
         }
-        let ([least, greatest], value) = (self.range?, self.view.layer.of(dot)?);
+        let [value] = view.image.mean(area, |dot| view.layer.of(dot).map(|value| [value]))?;
+        let [least, greatest] = self.range?;
         let part = if greatest > least { (value - least) / (greatest - least) } else { 0.0 };
         Some(false_color(match self.view.layer {
             // Errors differ by powers of ten: eight of them are shown.
@@ -222,6 +294,12 @@ mod tests {
         assert_eq!(indexed([95, 175, 255]), 16 + 36 + 6 * 3 + 5);
         assert_eq!(indexed([128, 128, 128]), 244);
         assert_eq!(indexed([8, 8, 8]), 232);
+    }
+
+    #[test]
+    fn figures_have_three_digits() {
+        let shown = [0.0, 12.0, 12.004, 1.0 / 3.0, 6.619e-3, 123.456, 19.649, 1234.5, 9.999].map(figure);
+        assert_eq!(shown, ["0", "12", "12.0", "0.333", "6.6e-3", "123", "19.6", "1.2e3", "10.00"]);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::report::language::viewer::Viewer;
 use crate::report::tag::tag;
 use crate::tui::model::prompt::Prompt;
 use crate::tui::model::{Model, Pane};
-use crate::tui::text::{shown, width_of};
+use crate::tui::text::{counted, shown, width_of};
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -23,9 +23,10 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     put(buffer, area, position);
 
     let room = usize::from(area.width).saturating_sub(used + 2);
-    if let Some(hint) = hints(model).into_iter().map(|hint| shown(&hint, theme)).find(|hint| width_of(hint) <= room) {
-        let width = width_of(&hint) as u16;
-        let place = Rect { x: area.right() - width, width, ..area };
+    let hint = shown(&hints(model, room), theme);
+    let width = width_of(&hint);
+    if width <= room {
+        let place = Rect { x: area.right() - width as u16, width: width as u16, ..area };
         put(buffer, place, Line::styled(hint, theme.style(Role::Faint)));
     }
 }
@@ -47,6 +48,7 @@ fn modes(model: &Model) -> Vec<String> {
         guide.grown.map(|_| status.growing.to_owned()),
         search,
         guide.filter.as_ref().map(|_| status.filtered.to_owned()),
+        guide.hides_tests.then(|| status.no_tests.to_owned()),
         guide.has_mouse.then(|| status.mouse.to_owned()),
     ];
     modes.into_iter().flatten().collect()
@@ -83,7 +85,7 @@ pub(in crate::tui) fn draw_line(prompt: &Prompt, texts: &Viewer, theme: &Theme, 
 /// The path of the ray, and which quantity of the source text the current step computes; from the longest way to say it
 /// to the shortest.
 fn places(model: &Model) -> [String; 3] {
-    let path = model.tree.shown_path(model.cursor);
+    let path = counted(&model.tree.shown_path(model.cursor));
     let path = if path.is_empty() { path } else { format!("  {path}") };
     match model.log.events.get(model.event).map(|event| &event.what) {
         Some(What::Note { name, .. }) => {
@@ -96,15 +98,36 @@ fn places(model: &Model) -> [String; 3] {
     }
 }
 
-/// What to say about keys, from the longest to the shortest.
-fn hints(model: &Model) -> Vec<String> {
+/// What to say about keys: of those that are useful here as many as there is room for.
+fn hints(model: &Model, room: usize) -> String {
     let pending = model.pending;
     if pending.count.is_some() || pending.prefix.is_some() {
         let count = pending.count.map(|count| count.to_string()).unwrap_or_default();
-        return vec![format!("{count}{}", pending.prefix.map(String::from).unwrap_or_default())];
+        return format!("{count}{}", pending.prefix.map(String::from).unwrap_or_default());
     }
-    let status = &model.texts().status;
-    let moves = status.moves[usize::from(model.focus != Pane::Tree)];
-    let shorter = status.hints.iter().map(|hint| (*hint).to_owned());
-    std::iter::once((status.all_hints)(moves)).chain(shorter).collect()
+    let hints = &model.texts().status.hints;
+    let of_mode = [
+        (model.guide.search.is_some(), hints.search),
+        (model.guide.pace.is_playing, hints.playing),
+        (model.understanding.quiz.is_some(), hints.quiz),
+    ];
+    let of_mode = of_mode.into_iter().filter(|(is_on, _)| *is_on).flat_map(|(_, hints)| hints);
+    let of_pane = match model.focus {
+        Pane::Tree => hints.tree,
+        Pane::Computation => hints.computation,
+        Pane::Picture => hints.picture,
+        Pane::Schematic => hints.schematic,
+        Pane::Code => hints.code,
+    };
+    let of_mode: Vec<_> = of_mode.copied().collect();
+    let useful = [of_mode.as_slice(), of_pane].concat();
+    let ends = [hints.help, hints.quit];
+    let lines = (1..=useful.len()).rev().map(|count| [&useful[..count], &ends].concat());
+    // What a mode has of its own is worth more than those.
+    let brief = of_mode.first().map(|own| vec![*own]);
+    let mut lines = lines.chain(brief).chain([ends.to_vec(), vec![hints.help]]).map(|hints| hints.join(GAP));
+    lines.find(|line| width_of(line) <= room).unwrap_or_default()
 }
+
+/// What is between two hints.
+const GAP: &str = "  ";

@@ -3,10 +3,9 @@
 use super::{highlight, label};
 use super::{put, title};
 use crate::report::words;
-use crate::tui::model::fold::has_children;
 use crate::tui::model::layout::Layout;
 use crate::tui::model::{Model, Pane};
-use crate::tui::text::shown;
+use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -16,9 +15,11 @@ use ratatui::text::{Line, Span};
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let header = &model.log.header;
     let frame = words::frame(model.language, header).map_or(String::new(), |frame| format!(" {frame}"));
-    let name = format!("{}{frame} - {}", words::plain(&header.scene.name), words::arithmetic(header));
+    let scene = format!("{}{frame}", words::plain(&header.scene.name));
     let remark = format!("{}/{}", model.cursor + 1, model.tree.nodes().len());
-    title(model, Pane::Tree, shown(&name, theme), &remark, theme, area, buffer);
+    // The mark, the rule's end and blanks are around them.
+    let room = usize::from(area.width).saturating_sub(width_of(&remark) + 7);
+    title(model, Pane::Tree, shown(&name(model, &scene, room), theme), &remark, theme, area, buffer);
 
     let body = Layout::body(area);
     let top = model.fold.scrolled(&model.tree, model.top, model.cursor, usize::from(body.height));
@@ -34,9 +35,20 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     }
 }
 
+/// What is shown, in which arithmetic; as much of it as fits.
+fn name(model: &Model, scene: &str, room: usize) -> String {
+    let header = &model.log.header;
+    let (subject, texts) = (words::subject(model.language, header), &model.texts().panes);
+    let whole = (texts.what)(&subject, scene, model.log.events.len());
+    let briefly = (texts.what_briefly)(&subject, scene);
+    let names = [whole, (texts.program)(&briefly), briefly, (texts.program)(scene), scene.to_owned()];
+    let mut names = names.map(|name| format!("{name} - {}", words::arithmetic(header))).into_iter();
+    names.find(|name| width_of(name) <= room).unwrap_or_else(|| scene.to_owned())
+}
+
 fn row(model: &Model, node: usize, theme: &Theme, width: usize) -> Line<'static> {
     let glyphs = theme.glyphs;
-    let fold = if !has_children(&model.tree, node) {
+    let fold = if model.fold.first_inside(&model.tree, node).is_none() {
         glyphs.leaf
     } else if model.fold.is_open(&model.tree, node) {
         glyphs.open
@@ -55,10 +67,17 @@ fn row(model: &Model, node: usize, theme: &Theme, width: usize) -> Line<'static>
     line
 }
 
+/// The most columns that the lines of the tree take.
+const DEEPEST: usize = 16;
+
 /// The lines of the tree before a node: a trunk for each node around it that goes on below. Where the tree is deeper than
-/// there is room for, its innermost levels are drawn, behind a sign that there are more.
+/// there is room for, its innermost levels are drawn, behind the level of the node and a sign that there are more.
 fn guides(model: &Model, node: usize, theme: &Theme, room: usize) -> String {
     let glyphs = theme.glyphs;
+    let room = room.min(DEEPEST);
+    let level = model.tree.nodes()[node].level;
+    let number = if level > room { format!("{level}{}", glyphs.more) } else { String::new() };
+    let room = room.saturating_sub(width_of(&number));
     let mut guides = Vec::new();
     let mut at = node;
     while at != 0 && guides.len() < room {
@@ -71,10 +90,5 @@ fn guides(model: &Model, node: usize, theme: &Theme, room: usize) -> String {
         });
         at = model.tree.nodes()[at].parent;
     }
-    if at != 0
-        && let Some(outermost) = guides.last_mut()
-    {
-        *outermost = glyphs.more;
-    }
-    guides.into_iter().rev().collect()
+    std::iter::once(number.as_str()).chain(guides.into_iter().rev()).collect()
 }

@@ -78,6 +78,10 @@ texts! {
     next_view =
         "another view: colours, depth, rays, samples; top, front, camera",
         "otra vista: colores, profundidad, rayos, muestras; desde arriba, de frente, desde el ojo";
+    cell_left =
+        "H J K L: left, down, up, right by a cell of the screen; + and -: to the greatest and the least value, in colours the brightest and the darkest pixel",
+        "H J K L: a la izquierda, abajo, arriba, a la derecha una celda de la pantalla; + y -: al valor mayor y al menor, en colores al píxel más claro y al más oscuro";
+    worst = "list the pixels that single precision misses most", "lista de los píxeles en los que más falla la precisión simple";
     operands =
         "what this value is made of; Enter goes to an operand",
         "de qué se compone este valor; Enter va a un operando";
@@ -89,6 +93,10 @@ texts! {
     arithmetics =
         "the node's values by hand, in f32 and in f64, with the digits to trust",
         "los valores del nodo a mano, en f32 y en f64, con las cifras fiables";
+    causes =
+        "which rounding caused the error of the result",
+        "qué redondeo causó el error del resultado";
+    glossary = "what the symbols mean", "qué significan los símbolos";
     quiz =
         "begin or end a quiz, which hides results and decisions",
         "empezar o terminar un cuestionario, que oculta resultados y decisiones";
@@ -147,6 +155,9 @@ texts! {
     filter =
         "show only rows that match; nothing typed shows all",
         "mostrar solo las filas que coinciden; sin texto se muestran todas";
+    tests =
+        "hide the intersection tests, or show them again",
+        "ocultar las pruebas de intersección, o mostrarlas otra vez";
     mark = "set a bookmark here", "poner un marcador aquí";
     go_to_mark = "go to a bookmark", "ir a un marcador";
     jump_back = "go back to before the last jump", "volver a antes del último salto";

@@ -53,6 +53,20 @@ texts! {
     account: Account;
     /// The values of a node in several arithmetics.
     arithmetics: Arithmetics;
+    /// Which rounding caused the error, in this arithmetic. Its columns are those of the study.
+    causes_title(arithmetic: &str) =
+        "Which rounding caused the error, {arithmetic}",
+        "Qué redondeo causó el error, {arithmetic}";
+    /// The worked example on paper.
+    book: Book;
+    /// The pixels that single precision misses most.
+    worst_title = "Pixels by the error of f32", "Píxeles por el error de f32";
+    /// Its columns, and what is said where it has no entries.
+    worst: List<3> =
+        list(["error", "pixel", "colour"], "no pixel is known to be off"),
+        list(["error", "píxel", "color"], "no se conoce ningún píxel con error");
+    /// What the symbols mean.
+    glossary: Glossary;
     /// Why a list can't be shown yet.
     to_come: ToCome;
 }
@@ -131,6 +145,34 @@ texts! {
         };
     /// Smaller contributions, this many, in one.
     smaller(count: usize) = "{count} smaller ones together", "otras {count} menores en total";
+    /// What rounding the sums themselves adds, which is no path.
+    rounding(color: &str) = "Rounding the sums adds {color}.", "El redondeo de las sumas añade {color}.";
+    /// Where the errors of rounded values are, in the arithmetics that round.
+    not_in_this_sum =
+        "The errors of rounded values aren't in this sum; W lists them.",
+        "Los errores de los valores redondeados no están en esta suma; W los enumera.";
+    /// The headings of the totals: of each light, of each object, of each kind of ray that sees the object.
+    totals: [Text; 3] =
+        ["By light:", "By object:", "By the ray that sees the object:"],
+        ["Por fuente de luz:", "Por objeto:", "Por el rayo que ve el objeto:"];
+    /// The total of ambient light.
+    ambient = "ambient light", "luz ambiente";
+    /// The heading of the legend.
+    legend_title = "Legend:", "Leyenda:";
+    /// What is in the columns.
+    legend: [Text; 4] =
+        [
+            "path: C from the eye, R reflected, T transmitted, S1 to the first light",
+            "class: L light, D diffuse, S mirror/lens, E eye, A ambient, B background",
+            "figure 14: a D-D, b S-D, c D-S, d S-S; ambient light is for a",
+            "= own colour * weight: the product of W_l, W_r and W_t on the way",
+        ],
+        [
+            "camino: C primario, R reflejado, T transmitido, S1 a la primera fuente",
+            "clase: L fuente, D difusa, S especular, E ojo, A ambiente, B fondo",
+            "figura 14: a D-D, b S-D, c D-S, d S-S; la luz ambiente es por a",
+            "= color propio * peso: el producto de W_l, W_r y W_t en el camino",
+        ];
     /// The heading of this many paths that bring nothing.
     brings_nothing(count: usize) = "What contributes nothing ({count}):", "Lo que no aporta nada ({count}):";
 }
@@ -144,6 +186,8 @@ texts! {
     list: List<5> =
         list(["", "by hand", "f32", "digits", "f64"], "this node computes nothing itself"),
         list(["", "a mano", "f32", "cifras", "f64"], "este nodo no calcula nada por sí mismo");
+    /// The colour of a pixel.
+    color = "colour", "color";
     /// Shown in place of a value.
     not_reached = "not reached", "no se alcanza";
     /// Shown in place of the number of digits.
@@ -158,6 +202,47 @@ texts! {
     other_decisions(arithmetic: &str) =
         "other decisions {arithmetic} in this node",
         "{arithmetic} se decide otra cosa en este nodo";
+}
+
+texts! {
+    /// The texts of a worked example on paper.
+    Book;
+    /// Its title with the scene.
+    title(scene: &str) = "The example on paper: {scene}", "El ejemplo sobre papel: {scene}";
+    /// Its columns, and what is said where it has no entries.
+    list: List<7> =
+        list(["step", "quantity", "printed", "verdict", "following it", "by hand", "exact"], "nothing is printed"),
+        list(["paso", "magnitud", "impreso", "veredicto", "según él", "a mano", "exacto"], "no hay nada impreso");
+    /// What is printed follows from what is printed before.
+    agrees = "agrees", "coincide";
+    /// It does, with other digits.
+    format = "format", "formato";
+    /// It doesn't.
+    departs = "departs", "se aparta";
+    /// Why the quantity that the example calls so departs.
+    why: fn(&str, &str) -> String =
+        |called, why| format!("{called} departs: {why}"),
+        |called, why| match called {
+            "P_1" => "P_1 se aparta: el libro imprime el punto exacto (4; 6; 8); sus R_d y t redondeados dan (4; 5,996; 8,002)".to_owned(),
+            "H_1" => "H_1 se aparta: 0,637/1,548 = 0,41150 se redondea a 0,411; sin efecto, pues N_1 = (1; 0; 0)".to_owned(),
+            "I_local-2 (red)" => "I_local-2 se aparta: impreso con dos decimales; 54 + 86,68 + 154·0,964324 = 289,186".to_owned(),
+            _ => format!("{called} se aparta: {why}"),
+        };
+}
+
+texts! {
+    /// The texts of the glossary.
+    Glossary;
+    /// Its title.
+    title = "What the symbols mean", "Qué significan los símbolos";
+    /// Its columns, and what is said where it has no entries.
+    list: List<4> =
+        list(["symbol", "meaning", "formula", "source text"], "no symbols here"),
+        list(["símbolo", "significado", "fórmula", "texto"], "aquí no hay símbolos");
+    /// Its parts: the symbols of the node, of the rest of the log, and the signs.
+    headings: [Text; 3] =
+        ["Here:", "Elsewhere:", "Signs:"],
+        ["Aquí:", "En otros sitios:", "Signos:"];
 }
 
 texts! {

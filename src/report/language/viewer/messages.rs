@@ -80,6 +80,10 @@ texts! {
     tree_grows =
         "the tree grows with the steps; t shows all of it",
         "el árbol crece con los pasos; t lo muestra entero";
+    /// The tree has no intersection tests now.
+    tests_hidden = "rays, local models and sums only; T shows the tests", "solo rayos, modelos locales y sumas; T muestra las pruebas";
+    /// It has them again.
+    tests_shown = "with the intersection tests", "con las pruebas de intersección";
     /// It plays at this many steps per second, or would.
     rate: fn(u32, bool) -> String =
         |rate, is_playing| {
@@ -146,6 +150,14 @@ texts! {
     one_pixel_printed = "the book prints one pixel only", "el libro solo imprime un píxel";
     /// A region has too many values to be compared.
     regions_not_compared = "only pixels and rays are compared", "solo se comparan píxeles y rayos";
+    /// No book has the pixel as its example.
+    no_example =
+        "no book has this pixel as its example; raywalk walk textbook shows the one that has",
+        "ningún libro tiene este píxel como ejemplo; raywalk walk textbook muestra el que lo es";
+    /// There are too many quantities to study the rounding of each.
+    too_many_quantities(most: usize) =
+        "it computes more than {most} quantities, too many to study the rounding of each",
+        "calcula más de {most} magnitudes, demasiadas para estudiar el redondeo de cada una";
     /// The log of a pixel would have more events than this.
     too_long(most: usize) = "the log would have more than {most} events", "el registro tendría más de {most} sucesos";
     /// There is no memory for it.

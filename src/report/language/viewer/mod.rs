@@ -3,15 +3,16 @@
 //! What is typed or written in files has one form in every language: keys, commands, the words of breakpoints, the names of
 //! quantities. What explains them is a text of a language.
 
+mod glossary;
 mod help;
 mod lists;
 mod messages;
 mod panes;
 
 pub use help::{Groups, Help, Keys};
-pub use lists::{Account, Arithmetics, Hints, List, Lists, ToCome};
+pub use lists::{Account, Arithmetics, Book, Glossary, Hints, List, Lists, ToCome};
 pub use messages::{Breakpoints, Commands, Messages, Quiz, Warnings};
-pub use panes::{Outcomes, Panes, Picture, Schematic, Status};
+pub use panes::{Outcomes, Panes, Picture, Schematic, Status, StatusHints};
 
 texts! {
     /// The texts of the viewer.

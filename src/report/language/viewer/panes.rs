@@ -9,24 +9,18 @@ texts! {
     step(step: usize, count: usize) = "step {step}/{count}", "paso {step}/{count}";
     /// The section of the source text that has a quantity.
     section(section: &str) = "section {section}", "sección {section}";
-    /// The keys to begin with, from the longest way to say it to the shortest; the longest with those that move.
-    hints: [Text; 3] =
-        ["n next value  p previous  ? help  q quit", "n next  ? help  q quit", "? help"],
-        ["n siguiente valor  p anterior  ? ayuda  q salir", "n siguiente  ? ayuda  q salir", "? ayuda"];
-    /// All of them, around those that move.
-    all_hints(moves: &str) =
-        "n next value  p previous  {moves}  ? help  q quit",
-        "n siguiente valor  p anterior  {moves}  ? ayuda  q salir";
-    /// The keys that move in the tree, and in other panes.
-    moves: [Text; 2] =
-        ["j k move  Space fold", "j k move  Tab tree"],
-        ["j k mueven  Space pliega", "j k mueven  Tab árbol"];
+    /// What some keys do, by pane and mode.
+    hints: StatusHints;
     /// It plays, at this many steps per second.
     playing(rate: u32) = "playing {rate}/s", "reproduce {rate}/s";
     /// The tree grows.
     growing = "growing", "crece";
     /// The tree is filtered.
     filtered = "filtered", "filtrado";
+    /// The tree has no intersection tests.
+    no_tests = "no tests", "sin pruebas";
+    /// The word for shadow rays.
+    shadow = "shadow", "sombra";
     /// The mouse is used.
     mouse = "mouse", "ratón";
     /// A search isn't complete.
@@ -59,8 +53,51 @@ fn score(quiz: &str, counts: [u32; 4], words: [&str; 4]) -> String {
 }
 
 texts! {
+    /// What some keys do, the most useful first: as many are shown as there is room for.
+    StatusHints;
+    /// Where there is no room for others.
+    help = "? help", "? ayuda";
+    /// Behind all others.
+    quit = "q quit", "q salir";
+    /// In the tree.
+    tree: &'static [Text] =
+        &["n next value", "w why", "d made of", "a digits", "/ find", "b break", "T no tests", "V symbols", "p previous", "Space fold", "W rounding", "r run"],
+        &["n siguiente", "w por qué", "d de qué", "a cifras", "/ busca", "b para", "T sin pruebas", "V símbolos", "p anterior", "Space pliega", "W redondeo", "r ejecuta"];
+    /// In the computation.
+    computation: &'static [Text] =
+        &["n next value", "d made of", "D used in", "a digits", "j k move", "V symbols", "W rounding", "p previous", "y copy", "Tab pane"],
+        &["n siguiente", "d de qué", "D para qué", "a cifras", "j k mueven", "V símbolos", "W redondeo", "p anterior", "y copia", "Tab panel"];
+    /// In the picture.
+    picture: &'static [Text] =
+        &["h j k l pixel", "H J K L cell", "Enter tree", "v layers", "i I zoom", "( ) exposure", "w why", "Tab pane"],
+        &["h j k l píxel", "H J K L celda", "Enter árbol", "v capas", "i I zoom", "( ) exposición", "w por qué", "Tab panel"];
+    /// In the schematic.
+    schematic: &'static [Text] =
+        &["v turn", "i I zoom", "n next value", "} next ray", "Tab pane"],
+        &["v gira", "i I zoom", "n siguiente", "} rayo siguiente", "Tab panel"];
+    /// In the algorithm.
+    code: &'static [Text] =
+        &["n next value", "] next event", "} next ray", "p previous", "Tab pane"],
+        &["n siguiente", "] suceso siguiente", "} rayo siguiente", "p anterior", "Tab panel"];
+    /// While something is searched for.
+    search: &'static [Text] = &["; next  , previous"], &["; siguiente  , anterior"];
+    /// While it plays.
+    playing: &'static [Text] = &["P stop", "+ - speed"], &["P para", "+ - velocidad"];
+    /// In a quiz.
+    quiz: &'static [Text] = &["= answer", "Q end"], &["= responde", "Q termina"];
+}
+
+texts! {
     /// The texts of panes.
     Panes;
+    /// What is shown: the pixel or ray of which scene, and how many steps.
+    what(subject: &str, scene: &str, steps: usize) =
+        "raywalk: {subject} of {scene}, {steps} steps",
+        "raywalk: {subject} de {scene}, {steps} pasos";
+    /// The program, and what it shows in fewer words.
+    program(what: &str) = "raywalk: {what}", "raywalk: {what}";
+    /// The pixel or ray and the scene.
+    what_briefly(subject: &str, scene: &str) = "{subject} of {scene}", "{subject} de {scene}";
     /// The algorithm, by its name.
     algorithm(name: &str) = "{name} algorithm", "algoritmo {name}";
     /// The calls below it.
@@ -139,6 +176,8 @@ texts! {
         ["imagen", "profundidad", "rayos por píxel", "muestras por píxel", "error de f32"];
     /// The exposure in stops.
     exposure(stops: &str) = "{stops} stops", "exposición {stops}";
+    /// The exposure that fits the picture into what can be shown.
+    fitting(stops: &str) = "above white: shown {stops} stops", "supera el blanco: exposición {stops}";
     /// The depth of a pixel.
     depth(depth: &str) = "depth {depth}", "profundidad {depth}";
     /// The rays of a pixel.
