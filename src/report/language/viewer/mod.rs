@@ -3,15 +3,17 @@
 //! What is typed or written in files has one form in every language: keys, commands, the words of breakpoints, the names of
 //! quantities. What explains them is a text of a language.
 
+mod commands;
 mod glossary;
 mod help;
 mod lists;
 mod messages;
 mod panes;
 
+pub use commands::Commands;
 pub use help::{Groups, Help, Keys};
 pub use lists::{Account, Arithmetics, Book, Glossary, Hints, List, Lists, ToCome};
-pub use messages::{Breakpoints, Commands, Messages, Quiz, Warnings};
+pub use messages::{Breakpoints, Messages, Quiz, Warnings};
 pub use panes::{Outcomes, Panes, Picture, Schematic, Status, StatusHints};
 
 texts! {
