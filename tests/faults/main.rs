@@ -244,7 +244,7 @@ noticed_in! {
     a_walk_as_text: [&["trace", "textbook.json", "--pixel", "160,120", "-o", "a.ndjson.zst"]],
         ["walk", "a.ndjson.zst", "--plain"];
     a_screenshot: [],
-        ["walk", "textbook.json", "--screenshot", "a.svg"];
+        ["walk", "textbook.json", "--threads", "1", "--screenshot", "a.svg"];
     a_difference_of_logs: [
             &["trace", "textbook.json", "--pixel", "160,120", "-o", "a.ndjson"],
             &["trace", "textbook.json", "--pixel", "161,120", "-o", "b.ndjson"]],

@@ -84,10 +84,10 @@ fn decisions_are_said_in_words() {
     for expected in [
         "sample 1: s_x = 0, s_y = 0\n",
         "→ the pixel is subdivided: A may lie in it, and no corner sees that\n",
-        "→ the cell at (0, 0) with side 0.250 is accepted: the samples agree (Δ_I ≤ Δ_max: 0 ≤ 0.050)\n",
-        "its corners differ by more than the threshold (Δ_I > Δ_max: 0.800 > 0.050)\n",
+        "→ the cell at (0, 0) with side 0.250 is accepted: the samples agree (Δ_I ≤ Δ_max: 0 ≤ 0.0500)\n",
+        "its corners differ by more than the threshold (Δ_I > Δ_max: 0.800 > 0.0500)\n",
         "is accepted: it may not be cut further\n",
-        "Δ_max = θ·w_o = 0.050·1 = 0.050   [cell.limit 1.4.2]\n",
+        "Δ_max = θ·w_o = 0.0500·1 = 0.0500   [cell.limit 1.4.2]\n",
     ] {
         assert!(adaptive.contains(expected), "expected `{expected}` in: {adaptive}");
     }
