@@ -275,7 +275,14 @@ fn asks_for(keys: &str, pixel: [u32; 2]) {
     let mut image = Image::empty([400, 300], Arc::new(|_, _| [0; 3]));
     for (number, dot) in image.dots.iter_mut().enumerate() {
         let value = (number % 1000) as f64;
-        *dot = Some(Dot { color: [value; 3], depth: None, rays: 1, samples: 1, error: Some(value * 1e-9) });
+        *dot = Some(Dot {
+            color: [value; 3],
+            depth: None,
+            rays: 1,
+            samples: 1,
+            error: Some(value * 1e-9),
+            is_rough: false,
+        });
     }
     model.picture = Some(PictureView::new(Arc::new(image), [200, 150]));
     model.focus_on(Pane::Picture);
