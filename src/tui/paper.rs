@@ -2,10 +2,11 @@
 
 use super::model::Model;
 use super::model::list::{Entry, Listing, cells};
+use super::text::with_counted;
 use super::theme::Role;
 use crate::log::tree::Place;
 use crate::log::{Tree, Value};
-use crate::report::causes::Study;
+use crate::report::causes::{Cause, Study};
 use crate::report::language::viewer::List;
 use crate::report::paper::{Row, Verdict};
 use crate::report::words;
@@ -74,7 +75,7 @@ pub(super) fn causes(model: &Model) -> Listing {
     let (effective, idle) = study.by_effect();
     entries.extend(effective.iter().map(|cause| Entry {
         target: event_in(model, study, &tree, cause.event),
-        ..Entry::plain(cells(in_order(study.cells(&tree, cause, language, style))), Role::Text)
+        ..Entry::plain(cause_cells(model, study, &tree, cause), Role::Text)
     }));
     if !idle.is_empty() {
         entries.push(faint((texts.idle)(idle.len())));
@@ -84,6 +85,11 @@ pub(super) fn causes(model: &Model) -> Listing {
     }
     let title = (model.texts().lists.causes_title)(&words::arithmetic(&study.log.header));
     Listing::of(&List { columns: in_order(texts.columns), nothing: "" }, title, &[], entries)
+}
+
+fn cause_cells(model: &Model, study: &Study, tree: &Tree, cause: &Cause) -> String {
+    let [quantity, only, place, all_but] = in_order(study.cells(tree, cause, model.language, model.numbers));
+    cells([quantity, only, with_counted(&place, &cause.path), all_but])
 }
 
 /// The columns of a study as the viewer has them: the quantity first, and last what is without it.

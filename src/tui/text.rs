@@ -174,6 +174,11 @@ pub(super) fn counted(path: &str) -> String {
     runs.collect::<Vec<_>>().join(" ")
 }
 
+/// A text with a path in it, whose repeated steps are counted.
+pub(super) fn with_counted(text: &str, path: &str) -> String {
+    text.replacen(path, &counted(path), 1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,6 +206,7 @@ mod tests {
         );
         assert_eq!(counted("C T T.1 T.2 T T T"), "C T T.1 T.2 T×3");
         assert_eq!(counted(""), "");
+        assert_eq!(with_counted("ray C R R R R, reflected", "C R R R R"), "ray C R×4, reflected");
     }
 
     #[test]

@@ -4,6 +4,7 @@ use super::Model;
 use crate::log::{Decision, RayKind, SkipReason, Step, Term, Value, What};
 use crate::report::language::viewer::Viewer;
 use crate::report::words;
+use crate::tui::text::with_counted;
 
 impl Model {
     /// The viewer's texts.
@@ -21,9 +22,13 @@ impl Model {
         self.value(&Value::Triple(color))
     }
 
-    /// What a node is.
+    /// What a node is; repeated steps of a ray's path are counted.
     pub fn title(&self, node: usize) -> String {
-        words::title(self.language, &self.log, &self.tree, node)
+        let title = words::title(self.language, &self.log, &self.tree, node);
+        match self.tree.ray(node) {
+            Some(_) => with_counted(&title, &self.tree.shown_path(node)),
+            None => title,
+        }
     }
 
     /// A decision as a sentence.
