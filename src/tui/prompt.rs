@@ -91,7 +91,13 @@ pub(super) fn complete_path(model: &mut Model, parameters: impl FnOnce(&str) -> 
     let found = parameters(path);
     let ways: Vec<_> = found.iter().map(|(path, _)| format!("{command} {path} ")).collect();
     let nothing = (model.texts().messages.no_parameter)(&plain(path), "");
-    complete_to(model, &ways);
+    match &ways[..] {
+        // The value stays as it was typed.
+        _ if typed.contains(' ') => {}
+        // The only one may have other steps in between.
+        [way] => model.prompt = Some(Prompt { line: way.as_str().into(), ..prompt.clone() }),
+        ways => _ = complete_to(model, ways),
+    }
     let some: Vec<_> = found.iter().take(8).map(|(path, value)| format!("{path} = {value}")).collect();
     model.say(&if some.is_empty() { nothing } else { plain(&some.join("   ")) });
 }

@@ -392,7 +392,7 @@ fn a_growing_tree_keeps_the_colour_back() {
             .map(|line| line.split('│').next().unwrap_or_default().trim().to_owned())
     };
     let told = below("").expect("the line of the pixel");
-    assert!(told.contains("8-bit"), "{told}");
+    assert!(told.contains("(0.397, 0.459, 0.520)"), "{told}");
     assert_eq!(below("t").as_deref(), Some("3,2"));
     assert_eq!(below("t$"), Some(told));
 }

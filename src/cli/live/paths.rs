@@ -97,11 +97,23 @@ fn value(text: &str) -> Value {
     }
 }
 
-/// The paths that begin so, with their values, at most [`MAX_LISTED`].
+/// The paths that begin so, with their values, at most [`MAX_LISTED`]. Where none does, those that have the same steps with others in
+/// between: `objects.sphere.ra` for `objects.sphere.shape.sphere.radius`.
 pub fn list(scene: &Value, beginning: &str) -> Vec<(String, String)> {
     let mut found = Vec::new();
     collect(scene, String::new(), beginning, &mut found);
+    if found.is_empty() {
+        let (first, _) = beginning.split_once('.').unwrap_or((beginning, ""));
+        collect(scene, String::new(), first, &mut found);
+        found.retain(|(path, _)| has_steps(path, beginning));
+    }
     found
+}
+
+/// Whether a path has steps that begin as these do, in this order.
+fn has_steps(path: &str, steps: &str) -> bool {
+    let mut own = path.split('.');
+    steps.split('.').all(|step| own.any(|own| own.starts_with(step)))
 }
 
 fn collect(at: &Value, path: String, beginning: &str, found: &mut Vec<(String, String)>) {
@@ -196,6 +208,11 @@ mod tests {
             ]
             .map(|(path, value)| (path.to_owned(), value.to_owned()))
         );
+        // Steps in between may be left out.
+        let paths = |beginning: &str| list(&scene(), beginning).into_iter().map(|(path, _)| path).collect::<Vec<_>>();
+        assert_eq!(paths("objects.ball.ra"), ["objects.ball.shape.sphere.radius"]);
+        assert_eq!(paths("obj.center"), ["objects.ball.shape.sphere.center"]);
+        assert!(paths("objects.ball.x").is_empty());
         // Each of them leads to its value.
         for (path, value) in list(&scene(), "") {
             let mut same = scene();

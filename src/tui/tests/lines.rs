@@ -59,7 +59,7 @@ fn commands() {
         ("bookmark ab", "expected one letter"),
         ("serach x", "did you mean :search?"),
         ("b", "may be :book, :bookmark LETTER, :bookmarks, :break CONDITION"),
-        ("xyzzy", "expected a step or a command: :book, :bookmark LETTER"),
+        ("xyzzy", "expected a step or a command: :algorithm NAME, :arithmetic NAME, :book, :bookmark LETTER"),
         ("quit now", "nothing may follow :quit"),
         ("break object x", "no object"),
     ] {
@@ -165,7 +165,7 @@ fn completes(key: &str, text: &str, expected: &str) {
 
 #[test]
 fn lines_are_completed() {
-    completes(":", "se", "search ");
+    completes(":", "sea", "search ");
     completes(":", "boo", "book");
     completes(":", "bookm", "bookmark");
     completes(":", "brea", "break");
