@@ -110,7 +110,7 @@ fn with_three_digits_it_is_the_distance_of_the_plane_from_the_direction() {
     assert_eq!(way(&first.way), [("C", "plane.t"), ("C", "plane.v_d"), ("C", "ray.direction")]);
     assert_eq!(first.why, Why::Itself);
     let computations = first.computations.as_ref().expect("a quantity");
-    assert_eq!(computations[0], "t = V_o/V_d = -12/(-0.9460) = 12.6850");
+    assert_eq!(computations[0], "t = V_o/V_d = -12/(-0.946) = 12.685");
     assert_eq!(computations[1], "t = V_o/V_d = -12/(-0.9457) = 12.6886");
 }
 

@@ -1,4 +1,5 @@
-//! The scene changed while one looks: by `:set`, by its file, by an editor.
+//! The scene changed while one looks: by `:set`, by its file, by an editor. Keys are pressed once the viewer is there: before, the terminal
+//! itself would change them.
 
 use crate::session::Session;
 use raywalk::log::Log;
@@ -34,6 +35,7 @@ fn a_value_is_set_compared_and_taken_back() {
     let folder = tempfile::tempdir().expect("a folder");
     let saved = folder.path().join("saved.json");
     let mut session = Session::start(&["walk", "textbook"], 110, 30);
+    session.shows("step 1/");
     session.press("$");
     session.shows(&color("3"));
     session.press(":set objects.sph\tra\t");
@@ -61,6 +63,7 @@ fn a_value_is_set_compared_and_taken_back() {
 #[test]
 fn what_cant_be_set_changes_nothing() {
     let mut session = Session::start(&["walk", "textbook"], 130, 30);
+    session.shows("step 1/");
     session.press("$");
     for (line, said) in [
         ("set objects.ball.shape.sphere.radius 2", "no `objects.ball`; there is plane, sphere"),
@@ -87,6 +90,7 @@ fn what_cant_be_set_changes_nothing() {
 #[test]
 fn options_of_the_tracing_are_commands() {
     let mut session = Session::start(&["walk", "textbook"], 110, 30);
+    session.shows("step 1/");
     session.press("$");
     session.shows(&color("3"));
     session.press(":arithmetic decimal:3\r");
@@ -107,6 +111,7 @@ fn a_file_that_changes_is_traced_anew() {
     let write = |text: &str| fs::write(&path, text).expect("a scene");
     write(&textbook("3"));
     let mut session = Session::start(&["walk", &path.to_string_lossy()], 110, 30);
+    session.shows("step 1/");
     session.press("$");
     session.shows(&color("3"));
     write(&textbook("2.75"));
@@ -153,6 +158,7 @@ fn the_editor_opens_where_the_object_is() {
 #[test]
 fn a_built_in_scene_has_no_file_to_edit() {
     let mut session = Session::start(&["walk", "textbook"], 110, 30);
+    session.shows("step 1/");
     session.press(":edit\r");
     session.shows("this scene has no file of its own to edit");
     session.press("q");
