@@ -141,6 +141,7 @@ fn the_editor_opens_where_the_object_is() {
     let path_text = path.to_string_lossy();
     let mut session =
         Session::of(Path::new("env").as_os_str(), &["-u", "VISUAL", &editor, program, "walk", &path_text], 110, 30);
+    session.shows("step 1/");
     session.press(":break object sphere\rr");
     session.shows("stopped by object sphere");
     session.press("\x05");

@@ -46,7 +46,7 @@ pub fn set(scene: &mut Value, path: &str, text: &str) -> Result<(), PathError> {
 /// The first step of a path and the rest behind its dot. Names may have dots, so the longest that is there counts.
 fn step<'p>(at: &Value, path: &'p str) -> (&'p str, &'p str) {
     let ends = path.match_indices('.').map(|(end, _)| end).chain([path.len()]);
-    let end = ends.clone().filter(|end| index_of(at, &path[..*end]).is_some()).last();
+    let end = ends.clone().rfind(|end| index_of(at, &path[..*end]).is_some());
     let end = end.or_else(|| ends.clone().next()).unwrap_or(path.len());
     (&path[..end], path.get(end + 1..).unwrap_or_default())
 }
