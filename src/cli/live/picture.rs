@@ -45,6 +45,7 @@ pub fn empty(scene: &Scene) -> Arc<Image> {
 pub fn of(scene: &Scene, arithmetic: Arithmetic, pixels: Vec<[u32; 2]>) -> Arc<Image> {
     let mut image = Image::clone(&empty(scene));
     let numbers: BTreeSet<usize> = pixels.into_iter().map(|pixel| image.index(pixel)).collect();
+    fill_between(&mut image, &numbers, scene, arithmetic);
     let pixel = |number: &usize| {
         [number % image.columns() as usize, number / image.columns() as usize].map(|at| at as u32 * image.step)
     };
@@ -53,6 +54,24 @@ pub fn of(scene: &Scene, arithmetic: Arithmetic, pixels: Vec<[u32; 2]>) -> Arc<I
         image.dots[number] = Some(shown(dot, false));
     }
     Arc::new(image)
+}
+
+/// Gives the other dots of the rectangle that these lie in what one ray says of each: a cell of the screen shows the mean of its dots.
+fn fill_between(image: &mut Image, numbers: &BTreeSet<usize>, scene: &Scene, arithmetic: Arithmetic) {
+    let (columns, step) = (image.columns(), image.step);
+    let places = || numbers.iter().map(|number| [*number as u32 % columns, *number as u32 / columns]);
+    let Some(least) = places().reduce(|a, b| [0, 1].map(|axis| a[axis].min(b[axis]))) else { return };
+    let most = places().fold(least, |a, b| [0, 1].map(|axis| a[axis].max(b[axis])));
+    let place = |offset: [u32; 2]| [0, 1].map(|axis| least[axis] + offset[axis]);
+    let dot = |offset| preview::rough_dot(scene, place(offset).map(|number| number * step), arithmetic);
+    let publish = |dots: Vec<([u32; 2], preview::Dot)>| {
+        for (offset, dot) in dots {
+            let [column, row] = place(offset);
+            image.dots[(row * columns + column) as usize] = Some(shown(dot, true));
+        }
+    };
+    let grid = [0, 1].map(|axis| most[axis] - least[axis] + 1);
+    preview::in_passes(grid, COARSEST, dot, publish, &AtomicBool::new(false));
 }
 
 fn shown(preview::Dot { color, depth, rays, samples }: preview::Dot, is_rough: bool) -> Dot {
