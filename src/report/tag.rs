@@ -41,6 +41,14 @@ pub fn tag(log: &Log, tree: &Tree, event: usize) -> Option<String> {
     }
 }
 
+/// Whether the walk of the numeric example comes to the value that `event` notes and the book doesn't: that of the sphere's test by the
+/// camera ray, or of a shadow ray.
+pub fn is_left_out(log: &Log, tree: &Tree, event: usize) -> bool {
+    let What::Note { name, .. } = log.events[event].what else { return false };
+    let node = tree.owner(event);
+    tree.nodes()[node].level <= DEEPEST && step(log, tree, event, name).is_none() && is_of_the_example(log, tree, node)
+}
+
 /// The step of the numeric example that computes the value.
 fn step(log: &Log, tree: &Tree, event: usize, name: Name) -> Option<&'static str> {
     // Its walk is no deeper, and a path is as long as the way to its node.

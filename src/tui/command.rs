@@ -36,6 +36,7 @@ enum Argument {
     File,
     Number,
     Name,
+    MaybeName,
     Decimals,
 }
 
@@ -52,7 +53,7 @@ impl Argument {
             Argument::Parameter => texts.path_and_value,
             Argument::File => texts.file,
             Argument::Number => texts.number,
-            Argument::Name => texts.name,
+            Argument::Name | Argument::MaybeName => texts.name,
             Argument::Decimals => "N",
         }
     }
@@ -77,8 +78,8 @@ const COMMANDS: &[Command] = &[
     Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| go(model, Walk::Breakpoints) },
     Command {
         name: "causes",
-        argument: Argument::Nothing,
-        run: |model, _| Ok(understanding::open(model, Kind::Causes)),
+        argument: Argument::MaybeName,
+        run: |model, arithmetic| Ok(understanding::study(model, arithmetic)),
     },
     Command { name: "compare", argument: Argument::Nothing, run: |_, _| Ok(Effect::Beside) },
     Command {

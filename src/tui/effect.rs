@@ -17,8 +17,8 @@ pub enum Effect {
     Revisit([u32; 2], Spot),
     /// Trace what is shown in the other arithmetics.
     Compare,
-    /// Study which rounding caused the error of what is shown.
-    Study,
+    /// Study which rounding caused the error of what is shown, in this arithmetic or in that of the viewer.
+    Study(Option<String>),
     /// Look up the worked example that is shown.
     Book,
     /// Put this text on the clipboard.

@@ -75,8 +75,9 @@ pub trait Live {
         None
     }
 
-    /// Which rounding caused the error of the result of the same pixel or ray: in the viewer's arithmetic, or by hand if that rounds nothing.
-    fn study(&mut self, _subject: Subject) -> Result<Study, Refusal> {
+    /// Which rounding caused the error of the result of the same pixel or ray: in this arithmetic; else in the viewer's, or by hand if that
+    /// rounds nothing.
+    fn study(&mut self, _subject: Subject, _arithmetic: Option<&str>) -> Result<Study, Refusal> {
         Err(Refusal::NoScene)
     }
 
@@ -99,6 +100,8 @@ pub enum Refusal {
     NoExample,
     /// It has more quantities than this, too many to study the rounding of each.
     TooManyQuantities(usize),
+    /// What can be studied are roundings to decimals or to single precision.
+    RoundsNothing,
     /// It would have more events than this.
     TooLong(usize),
     /// There is no memory for it.
@@ -123,6 +126,7 @@ impl Refusal {
             Refusal::RegionsNotCompared => messages.regions_not_compared.to_owned(),
             Refusal::NoExample => messages.no_example.to_owned(),
             Refusal::TooManyQuantities(most) => (messages.too_many_quantities)(*most),
+            Refusal::RoundsNothing => messages.rounds_nothing.to_owned(),
             Refusal::TooLong(most) => (messages.too_long)(*most),
             Refusal::NoMemory => messages.no_memory.to_owned(),
             Refusal::NothingChanged => messages.nothing_changed.to_owned(),
@@ -160,10 +164,12 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
             prompt::complete_path(model, |beginning| live.parameters(beginning));
             Ok(())
         }
-        (Effect::Study, Some(live)) => live.study(model.log.header.subject).map(|study| {
-            model.understanding.study = Some(Arc::new(study));
-            understanding::open(model, Kind::Causes);
-        }),
+        (Effect::Study(arithmetic), Some(live)) => {
+            live.study(model.log.header.subject, arithmetic.as_deref()).map(|study| {
+                model.understanding.study = Some(Arc::new(study));
+                understanding::open(model, Kind::Causes);
+            })
+        }
         (Effect::Book, Some(live)) => live.book(model.log.header.subject).map(|book| {
             model.understanding.book = Some(Arc::new(book));
             understanding::open(model, Kind::Book);

@@ -258,7 +258,12 @@ fn react(
                 Some(Effect::Suspend) => suspend(model, terminal, Asker::Key)?,
                 Some(Effect::Copy(text)) => terminal.copy(&text)?,
                 Some(Effect::Edit(object)) => edit(model, terminal, live, object)?,
-                Some(asked) => live::answer(model, asked, live),
+                Some(asked) => {
+                    if matches!(asked, Effect::Study(_)) && live.is_some() {
+                        say_at_once(model, terminal, theme, model.texts().messages.studying)?;
+                    }
+                    live::answer(model, asked, live);
+                }
                 None => {}
             }
             if let Some(before) = model.before.take() {
@@ -267,6 +272,14 @@ fn react(
         }
     }
     Ok(None)
+}
+
+/// Shows a message while something is done that takes its time.
+fn say_at_once(model: &mut Model, terminal: &mut Terminal, theme: &Theme, text: &str) -> io::Result<()> {
+    model.say(text);
+    terminal.draw(|buffer| view::draw(model, theme, buffer))?;
+    model.message = None;
+    Ok(())
 }
 
 /// Shows what was before the last change beside what is now, until that is left.

@@ -14,24 +14,14 @@ use crate::report::side_by_side::{self, Row, Run};
 
 /// Opens a list of this kind, made from where the model is now.
 pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
-    let tells_results = !matches!(kind, Kind::Operands | Kind::Uses | Kind::Glossary);
-    if tells_results && model.understanding.quiz.is_some() {
-        model.say(model.texts().quiz.tells_results);
-        return Effect::None;
-    }
-    if let Some(why) = is_to_come(model, kind) {
-        model.say(why);
-        return Effect::None;
-    }
-    if kind == Kind::Worst && model.picture.is_none() {
-        model.say(model.texts().messages.no_scene);
+    if !may_open(model, kind) {
         return Effect::None;
     }
     if kind == Kind::Arithmetics && model.others.is_empty() {
         return Effect::Compare;
     }
     if kind == Kind::Causes && model.understanding.study.is_none() {
-        return Effect::Study;
+        return Effect::Study(None);
     }
     if kind == Kind::Book && model.understanding.book.is_none() {
         return Effect::Book;
@@ -39,6 +29,33 @@ pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
     model.understanding.listing = Some((kind, make(model, kind)));
     listing::open(model, kind);
     Effect::None
+}
+
+/// Whether a list of this kind tells nothing that is to be found out first; says why if it does.
+fn may_open(model: &mut Model, kind: Kind) -> bool {
+    let tells_results = !matches!(kind, Kind::Operands | Kind::Uses | Kind::Glossary);
+    let why = if tells_results && model.understanding.quiz.is_some() {
+        Some(model.texts().quiz.tells_results)
+    } else if let Some(why) = is_to_come(model, kind) {
+        Some(why)
+    } else {
+        (kind == Kind::Worst && model.picture.is_none()).then_some(model.texts().messages.no_scene)
+    };
+    if let Some(why) = why {
+        model.say(why);
+    }
+    why.is_none()
+}
+
+/// Opens the list of causes, in the viewer's arithmetic if no other is named.
+pub(super) fn study(model: &mut Model, arithmetic: &str) -> Effect {
+    if arithmetic.is_empty() {
+        open(model, Kind::Causes)
+    } else if may_open(model, Kind::Causes) {
+        Effect::Study(Some(arithmetic.to_owned()))
+    } else {
+        Effect::None
+    }
 }
 
 /// What to say where a list would tell what is to come while the tree grows. Operands never are: they come before their values.

@@ -26,7 +26,7 @@ impl Live for ByHand {
         Ok(arithmetics.map(|arithmetic| record::pixel(&scene("textbook"), MIDDLE, arithmetic)).into())
     }
 
-    fn study(&mut self, _: Subject) -> Result<Study, Refusal> {
+    fn study(&mut self, _: Subject, _: Option<&str>) -> Result<Study, Refusal> {
         rounding::study(&scene("textbook"), Part::Pixel(MIDDLE), Rounding::Decimal(3)).map_err(|_| Refusal::NoMemory)
     }
 

@@ -3,9 +3,9 @@
 use crate::support;
 use raywalk::log::{Log, Name, Tree, What};
 use raywalk::record::{self, Arithmetic};
-use raywalk::report::tag::tag;
+use raywalk::report::tag::{is_left_out, tag};
 use raywalk::scene::builtin;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The steps of section 1.3, read off the source text: the ray's path, the step, the keys.
 const STEPS: &[(&str, &str, &str)] = &[
@@ -54,6 +54,21 @@ fn the_numeric_example_has_the_steps_of_the_text() {
     }
     // Another pixel is another walk.
     assert_eq!(steps(&record::pixel(&scene, [159, 120], Arithmetic::F64)), BTreeMap::new());
+}
+
+/// The book tests the sphere by the reflected ray only, and takes it that light arrives.
+#[test]
+fn what_the_book_leaves_out_is_the_cameras_sphere_and_shadow_rays() {
+    let log = record::pixel(&support::scene("textbook"), [160, 120], Arithmetic::F64);
+    let tree = Tree::of(&log.events);
+    let place = |event: usize| {
+        let What::Note { name, .. } = log.events[event].what else { return None };
+        let path = tree.path(tree.owner(event));
+        // A shadow ray's number is that of its light.
+        Some(format!("{} {}", path, name.key().split('.').next().unwrap_or_default()))
+    };
+    let left_out: BTreeSet<_> = (0..log.events.len()).filter(|event| is_left_out(&log, &tree, *event)).filter_map(place).collect();
+    assert_eq!(left_out.into_iter().collect::<Vec<_>>(), Vec::<String>::new());
 }
 
 #[test]

@@ -140,8 +140,11 @@ impl Live for Session {
         self.workbench.place(object)
     }
 
-    fn study(&mut self, subject: Subject) -> Result<Study, Refusal> {
-        let rounding = Rounding::of(self.workbench.arithmetic()).unwrap_or(Rounding::Decimal(3));
+    fn study(&mut self, subject: Subject, arithmetic: Option<&str>) -> Result<Study, Refusal> {
+        let rounding = match arithmetic {
+            Some(word) => Rounding::of(workbench::arithmetic(word)?).ok_or(Refusal::RoundsNothing)?,
+            None => Rounding::of(self.workbench.arithmetic()).unwrap_or(Rounding::Decimal(3)),
+        };
         rounding::study(&self.scene, part_in(&self.scene, subject)?, rounding).map_err(|cut_off| match cut_off {
             CutOff::TooLong { .. } => Refusal::TooManyQuantities(MAX_CAUSES),
             other => refusal(other),

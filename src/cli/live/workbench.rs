@@ -70,8 +70,7 @@ impl Workbench {
             Change::Undo => self.past.last().cloned().ok_or(Refusal::NothingChanged)?,
             Change::Set { path, value } => State { loaded: self.with(path, value)?, ..self.now.clone() },
             Change::Arithmetic(word) => {
-                let arithmetic = word.parse().map_err(|error: ArithmeticError| Refusal::Other(error.to_string()))?;
-                self.traced(TracingOptions { arithmetic, ..self.now.tracing.clone() })
+                self.traced(TracingOptions { arithmetic: arithmetic(word)?, ..self.now.tracing.clone() })
             }
             Change::Algorithm(word) => {
                 let algorithm = Some(Algorithm::from_str(word, false).map_err(|_| unknown_algorithm(word))?);
@@ -172,6 +171,11 @@ impl Workbench {
         let placed = file::placed(finding.as_slice(), &self.input.bytes, &self.input.name);
         Some((path, placed.first().map_or(1, |problem| problem.line.max(1))))
     }
+}
+
+/// The arithmetic with this name.
+pub fn arithmetic(word: &str) -> Result<Arithmetic, Refusal> {
+    word.parse().map_err(|error: ArithmeticError| Refusal::Other(error.to_string()))
 }
 
 fn unknown_algorithm(word: &str) -> Refusal {

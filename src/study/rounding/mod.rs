@@ -9,6 +9,8 @@ use crate::log::{Log, Tree, What};
 use crate::probe::{Altered, CutOff, Erased, Position, RayTree, Recorder, Silent, until_cut_off};
 use crate::record::{self, Arithmetic, Computation, Part, PartOf};
 use crate::scene::Scene;
+use crate::threads::{Threads, wanted};
+use rayon::prelude::*;
 use rounded::{Rounded, Which};
 
 /// The most quantities whose roundings are studied: the time grows with the square of their number.
@@ -54,7 +56,10 @@ pub fn study(scene: &Scene, part: Part, rounding: Rounding) -> Result<Study, Cut
         all_but: experiments.change(Which::AllBut(key)),
         ..cause
     };
-    let mut causes: Vec<_> = occurrences.into_iter().map(with_experiments).collect();
+    // Each experiment traces everything anew.
+    const EACH: usize = 16;
+    let threads = Threads::of(wanted(), occurrences.len() / EACH);
+    let mut causes: Vec<_> = threads.run(|| occurrences.into_par_iter().map(with_experiments).collect());
     // Stable: what changes nothing stays in the order of the computation.
     causes.sort_by(|one, other| other.only.size().total_cmp(&one.only.size()));
     let (rounded, tree) = experiments.run(Which::All);

@@ -3,7 +3,7 @@
 use super::put;
 use crate::log::What;
 use crate::report::language::viewer::Viewer;
-use crate::report::tag::tag;
+use crate::report::tag::{is_left_out, tag};
 use crate::tui::model::prompt::Prompt;
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{counted, shown, width_of};
@@ -90,9 +90,12 @@ fn places(model: &Model) -> [String; 3] {
     match model.log.events.get(model.event).map(|event| &event.what) {
         Some(What::Note { name, .. }) => {
             let key = name.key();
-            let tag = tag(&model.log, &model.tree, model.event);
-            let tag = tag.map_or_else(String::new, |tag| format!("  {}", (model.texts().status.section)(&tag)));
-            [format!("{path}  {key}{tag}"), format!("{path}  {key}"), format!("  {key}")]
+            let status = &model.texts().status;
+            let tag = tag(&model.log, &model.tree, model.event).map(|tag| (status.section)(&tag));
+            let left_out = is_left_out(&model.log, &model.tree, model.event).then(|| status.left_out.to_owned());
+            let source: String =
+                tag.iter().chain(&left_out).zip(["  ", ", "]).map(|(text, gap)| format!("{gap}{text}")).collect();
+            [format!("{path}  {key}{source}"), format!("{path}  {key}"), format!("  {key}")]
         }
         _ => [path, String::new(), String::new()],
     }

@@ -158,6 +158,12 @@ texts! {
     too_many_quantities(most: usize) =
         "it computes more than {most} quantities, too many to study the rounding of each",
         "calcula más de {most} magnitudes, demasiadas para estudiar el redondeo de cada una";
+    /// The roundings of such an arithmetic can't be studied.
+    rounds_nothing =
+        "the roundings that can be studied are those of decimal:N and f32",
+        "los redondeos que se pueden estudiar son los de decimal:N y f32";
+    /// The roundings of each quantity are being studied.
+    studying = "studying the rounding of every quantity …", "estudiando el redondeo de cada magnitud …";
     /// The log of a pixel would have more events than this.
     too_long(most: usize) = "the log would have more than {most} events", "el registro tendría más de {most} sucesos";
     /// There is no memory for it.

@@ -9,6 +9,8 @@ texts! {
     step(step: usize, count: usize) = "step {step}/{count}", "paso {step}/{count}";
     /// The section of the source text that has a quantity.
     section(section: &str) = "section {section}", "sección {section}";
+    /// The numeric example of the source text doesn't compute it.
+    left_out = "not in the example", "no está en el ejemplo";
     /// What some keys do, by pane and mode.
     hints: StatusHints;
     /// It plays, at this many steps per second.
