@@ -27,6 +27,8 @@ next line goes on. Moving objects are where they are when the shutter opens.
 Examples:
   $ echo '{\"id\": 1, \"o\": [16, 2, 7], \"d\": [-12, 4, 1]}' | raywalk rays textbook
   {\"id\":1,\"hit\":{\"object\":\"plane\",\"primitive\":0,\"t\":1.0,\"point\":[4.0,6.0,8.0],\"normal\":[1.0,0.0,0.0],\"side\":\"front\"}}
+  $ echo '{\"o\": [16, 2, 7], \"d\": [-12, 4, 1]}' | raywalk rays textbook --all
+  {\"hits\":[{\"object\":\"plane\",\"primitive\":0,\"t\":1.0,\"point\":[4.0,6.0,8.0],\"normal\":[1.0,0.0,0.0],\"side\":\"front\"}]}
   $ raywalk rays textbook --occlusion < queries.ndjson > answers.ndjson";
 
 /// Answer ray queries from standard input.
@@ -38,6 +40,9 @@ pub struct Rays {
     /// Report only whether anything is in the way
     #[arg(long)]
     occlusion: bool,
+    /// Report every crossing in the order of the ray; an edge or corner of a mesh counts once
+    #[arg(long, conflicts_with = "occlusion")]
+    all: bool,
     #[command(flatten)]
     tracing: TracingOptions,
 }
@@ -78,6 +83,7 @@ struct Reply<'a, T> {
 #[serde(rename_all = "snake_case")]
 enum Outcome<'s> {
     Hit(Option<HitReply<'s>>),
+    Hits(Vec<HitReply<'s>>),
     Occluded(bool),
     Error(String),
 }
@@ -131,6 +137,9 @@ impl Rays {
                 let outcome = match question.query(scene, names) {
                     Err(message) => Outcome::Error(message),
                     Ok(query) if self.occlusion => Outcome::Occluded(query.is_occluded(scene)),
+                    Ok(query) if self.all => {
+                        Outcome::Hits(query.all(scene).iter().map(|answer| HitReply::of(scene, answer)).collect())
+                    }
                     Ok(query) => Outcome::Hit(query.nearest(scene).map(|answer| HitReply::of(scene, &answer))),
                 };
                 (question.id, outcome)

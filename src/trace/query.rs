@@ -1,6 +1,6 @@
 //! Single ray queries: what a ray hits, without any shading, at the time when the shutter opens.
 
-use super::visibility::{are_any_hit, closest_hit, is_any_hit, search_together};
+use super::visibility::{all_crossings, are_any_hit, closest_hit, is_any_hit, search_together};
 use crate::geometry::Hit;
 use crate::geometry::unit::{unit, with_unit};
 use crate::geometry::{Intersect, Leaving, Line, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Side};
@@ -82,20 +82,21 @@ impl Query {
         }
         let (ray, length) = self.ray(scene);
         let (ray, hit, t) = self.first_hit(ray, length, scene)?;
-        let surface = scene.objects[hit.object as usize].shape.surface(&ray, hit.crossing, &mut Silent);
-        let normal = match surface.side {
-            Side::Front => surface.geometric_normal(),
-            Side::Back => -surface.geometric_normal(),
+        Some(Answer::at(&hit, t, &ray, scene))
+    }
+
+    /// Every hit in the order of the ray, each with the surface there; coincident surfaces in the order of the scene. A point on an edge or a
+    /// vertex that several triangles of a mesh share is one hit where the surface goes on beyond it.
+    pub fn all(&self, scene: &Scene) -> Vec<Answer> {
+        if self.surely_misses(scene) {
+            return Vec::new();
+        }
+        let (ray, length) = self.ray(scene);
+        let answer = |hit: &Hit| {
+            let t = hit.crossing.t / length;
+            (t > self.t_min && t < self.t_max).then(|| Answer::at(hit, t, &ray, scene))
         };
-        Some(Answer {
-            object: hit.object,
-            primitive: hit.crossing.primitive,
-            t,
-            point: surface.point,
-            // −0 turned over and back is +0.
-            normal: normal + DVec3::ZERO,
-            side: surface.side,
-        })
+        all_crossings(scene, &ray, &mut Silent).iter().filter_map(answer).collect()
     }
 
     /// The nearest hit, without the surface there.
@@ -235,6 +236,26 @@ impl Query {
             let side = scene.objects[object as usize].shape.returning_side();
             Leaving { object, primitive, side }
         })
+    }
+}
+
+impl Answer {
+    /// The surface where the ray hits it, at this distance in units of the direction as given.
+    fn at(hit: &Hit, t: f64, ray: &Ray, scene: &Scene) -> Answer {
+        let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, &mut Silent);
+        let normal = match surface.side {
+            Side::Front => surface.geometric_normal(),
+            Side::Back => -surface.geometric_normal(),
+        };
+        Answer {
+            object: hit.object,
+            primitive: hit.crossing.primitive,
+            t,
+            point: surface.point,
+            // −0 turned over and back is +0.
+            normal: normal + DVec3::ZERO,
+            side: surface.side,
+        }
     }
 }
 

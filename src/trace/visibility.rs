@@ -41,7 +41,15 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
         hits.extend(crossings.drain(..).map(|crossing| Hit { object, crossing }));
         ray.t_max
     });
-    hits.sort_by(|one, other| order(scene, ray, *one, *other, probe));
+    hits.sort_by(|one, other| one.crossing.t.total_cmp(&other.crossing.t).then(one.object.cmp(&other.object)));
+    // What nearly coincides is put in order by the shapes. That isn't transitive, which a library's sort may refuse.
+    for next in 1..hits.len() {
+        let mut place = next;
+        while place > 0 && order(scene, ray, hits[place - 1], hits[place], probe).is_gt() {
+            hits.swap(place - 1, place);
+            place -= 1;
+        }
+    }
     hits
 }
 

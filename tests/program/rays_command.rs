@@ -5,9 +5,11 @@ use crate::support;
 use assert_cmd::Command;
 use glam::DVec3;
 use proptest::prelude::*;
-use raywalk::geometry::Leaving;
+use raywalk::geometry::shape::TriangleMesh;
+use raywalk::geometry::{Leaving, Mesh, Shape, Side};
 use raywalk::scene::Scene;
 use raywalk::trace::query::{Answer, Query};
+use std::sync::Arc;
 
 const BOX: &str = r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 9], "direction": [0, 0, -1]},
   "objects": [{"name": "b", "shape": {"box": {"min": [0, 0, 0.3], "max": [1, 1, 1.1]}}}]}"#;
@@ -136,14 +138,81 @@ fn unusable_lines_say_why() {
     );
 }
 
+/// A cube of twelve triangles from 0 to 8 that share their corners.
+fn cube() -> Scene {
+    const FACES: [[u32; 3]; 12] = [
+        [0, 2, 1],
+        [1, 2, 3],
+        [4, 5, 6],
+        [5, 7, 6],
+        [0, 1, 4],
+        [1, 5, 4],
+        [2, 6, 3],
+        [3, 6, 7],
+        [0, 4, 2],
+        [2, 4, 6],
+        [1, 3, 5],
+        [3, 7, 5],
+    ];
+    let corner = |number: u8| DVec3::new((number & 1).into(), (number >> 1 & 1).into(), (number >> 2).into()) * 8.0;
+    let mesh = Mesh { positions: (0..8).map(corner).collect(), normals: None, faces: FACES.to_vec() };
+    Scene::of_shapes("cube", vec![Shape::Mesh(Arc::new(TriangleMesh::new(Arc::new(mesh))))])
+}
+
+/// A line through the inside of a convex solid enters once and leaves once, also where it does so on a corner or an edge.
+#[test]
+fn a_line_through_a_cube_crosses_its_surface_twice() {
+    let scene = cube();
+    // Of the points on the surface with whole coordinates nearly a third are on an edge, a corner or a diagonal.
+    let on_surface = (0..6_u8, 0..=8_u8, 0..=8_u8).prop_map(|(face, u, v)| {
+        let (axis, w) = (usize::from(face / 2), f64::from(face % 2) * 8.0);
+        let mut point = [f64::from(u); 3];
+        (point[axis], point[(axis + 1) % 3]) = (w, f64::from(v));
+        DVec3::from(point)
+    });
+    let inside = (1..=15_u8, 1..=15_u8, 1..=15_u8).prop_map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()) / 2.0);
+    proptest!(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(4000) }, |(enters in on_surface, inside in inside, before in 1..9_u8)| {
+        let direction = inside - enters;
+        let query = Query::new(enters - direction * f64::from(before), direction);
+        let hits = query.all(&scene);
+        prop_assert_eq!(hits.iter().map(|hit| hit.side).collect::<Vec<_>>(), [Side::Front, Side::Back], "{:?}", hits);
+        prop_assert!((hits[0].t - f64::from(before)).abs() < 1e-12 && hits[1].t > f64::from(before) + 1.0, "{:?}", hits);
+        prop_assert_eq!(query.nearest(&scene), Some(hits[0]));
+    });
+}
+
+/// All hits are those that are found one after the other.
+#[test]
+fn every_crossing_is_that_beyond_the_last_one() {
+    let scene = support::scene_of(include_bytes!("../support/shapes.json"), "shapes");
+    random::property((random::point(), random::point()), |(origin, direction)| {
+        if direction.length() < 0.1 {
+            return false;
+        }
+        let mut query = Query::new(origin, direction);
+        let all = query.all(&scene);
+        for hit in &all {
+            let next = query.nearest(&scene).expect("as many hits as there are crossings");
+            assert_eq!(next, *hit);
+            query.t_min = hit.t;
+        }
+        assert_eq!(query.nearest(&scene), None);
+        all.len() > 1
+    });
+}
+
 /// What the help shows is what comes.
 #[test]
-fn the_example_of_the_help() {
+fn the_examples_of_the_help() {
     let raywalk = || Command::new(env!("CARGO_BIN_EXE_raywalk"));
     let help = String::from_utf8(raywalk().args(["rays", "--help"]).output().expect("it runs").stdout).expect("UTF-8");
-    let example = help.split_once("$ echo '").expect("an example").1;
-    let (query, rest) = example.split_once("' | raywalk rays textbook\n").expect("a query");
-    let answer = rest.lines().next().expect("an answer").trim();
-    let said = raywalk().args(["rays", "textbook"]).write_stdin(query).output().expect("it runs").stdout;
-    assert_eq!(String::from_utf8_lossy(&said).trim(), answer);
+    let examples: Vec<_> = help.split("$ echo '").skip(1).collect();
+    assert_eq!(examples.len(), 2);
+    for example in examples {
+        let (query, rest) = example.split_once("' | raywalk ").expect("a query");
+        let (arguments, rest) = rest.split_once('\n').expect("a call");
+        let answer = rest.lines().next().expect("an answer").trim();
+        let said = raywalk().args(arguments.split(' ')).write_stdin(query).output().expect("it runs").stdout;
+        assert_eq!(String::from_utf8_lossy(&said).trim(), answer);
+    }
 }

@@ -67,7 +67,8 @@ fn what_the_book_leaves_out_is_the_cameras_sphere_and_shadow_rays() {
         // A shadow ray's number is that of its light.
         Some(format!("{} {}", path, name.key().split('.').next().unwrap_or_default()))
     };
-    let left_out: BTreeSet<_> = (0..log.events.len()).filter(|event| is_left_out(&log, &tree, *event)).filter_map(place).collect();
+    let left_out: BTreeSet<_> =
+        (0..log.events.len()).filter(|event| is_left_out(&log, &tree, *event)).filter_map(place).collect();
     assert_eq!(left_out.into_iter().collect::<Vec<_>>(), Vec::<String>::new());
 }
 
