@@ -10,21 +10,21 @@ use crate::scene::file::validate::limits::MAX_SIDE;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "CameraKeys")]
 pub struct Camera {
-    /// The eye.
+    /// Where the eye is.
     pub position: Vec3,
     /// Where it looks.
     #[serde(flatten)]
     pub aim: Aim,
-    /// The direction that shows upwards in the picture.
+    /// The vector that points upwards in the picture, of any length; not along the view.
     pub up: Vec3,
-    /// Degrees from the image's top edge to its bottom edge.
+    /// The angle from the top edge of the picture to its bottom edge, in degrees.
     pub vertical_fov: f64,
-    /// Width and height in pixels.
+    /// Width and height of the picture in pixels.
     pub resolution: [u32; 2],
     /// A thin lens; without it everything is sharp.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lens: Option<Lens>,
-    /// The times at which the shutter opens and closes.
+    /// The times at which the shutter opens and closes; objects with `motion` move in between.
     pub shutter: [f64; 2],
 }
 
@@ -48,14 +48,14 @@ impl Camera {
     }
 }
 
-/// A lens for depth of field.
+/// A thin lens, for depth of field.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Lens {
-    /// Radius of the opening.
+    /// Radius of the aperture; 0 is a pinhole.
     #[schemars(range(min = 0))]
     pub radius: f64,
-    /// Distance of the plane in focus, measured along the direction.
+    /// Distance from the eye to the plane in focus, along the view.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub focus_distance: f64,
 }
@@ -67,26 +67,26 @@ pub struct Lens {
 #[schemars(rename = "Camera")]
 #[schemars(extend("oneOf" = [{"required": ["direction"]}, {"required": ["look_at"]}]))]
 pub struct CameraKeys {
-    /// The eye.
+    /// Where the eye is.
     position: Vec3,
-    /// Along this vector it looks, of any length.
+    /// The vector along which it looks, of any length. This or `look_at`.
     direction: Option<Vec3>,
-    /// At this point it looks.
+    /// The point at which it looks, in the middle of the picture.
     look_at: Option<Vec3>,
-    /// The direction that shows upwards in the picture.
+    /// The vector that points upwards in the picture, of any length; not along the view.
     #[serde(default = "default_up")]
     up: Vec3,
-    /// Degrees from the image's top edge to its bottom edge.
+    /// The angle from the top edge of the picture to its bottom edge, in degrees.
     #[serde(default = "default_vertical_fov")]
     #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180))]
     vertical_fov: f64,
-    /// Width and height in pixels.
+    /// Width and height of the picture in pixels.
     #[serde(default = "default_resolution")]
     #[schemars(inner(range(min = 1, max = MAX_SIDE)))]
     resolution: [u32; 2],
     /// A thin lens; without it everything is sharp.
     lens: Option<Lens>,
-    /// The times at which the shutter opens and closes.
+    /// The times at which the shutter opens and closes; objects with `motion` move in between.
     #[serde(default)]
     shutter: [f64; 2],
 }

@@ -10,14 +10,14 @@ use super::{LightSamples, Rgb, Vec3};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "LightKeys")]
 pub struct Light {
-    /// Its name; left out, it is filled in on loading (`light-1`).
+    /// Its name; if omitted, `light-1` and so on.
     pub name: CompactString,
     /// Its position and form.
     #[serde(flatten)]
     pub kind: LightKind,
-    /// Its intensity, I_i.
+    /// I_i, its intensity in each channel.
     pub color: Rgb,
-    /// c, l and q of min(1, 1/(c + l·dist + q·dist²)); a directional light is never attenuated.
+    /// c, l and q of the attenuation min(1, 1/(c + l·d + q·d²)) at the distance d. A directional light has none.
     pub attenuation: [f64; 3],
     /// How the light is spread over its surface: of rectangles and disks.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -82,11 +82,11 @@ pub struct PointLight {
     pub position: Vec3,
 }
 
-/// Parallel light.
+/// Parallel light, from infinitely far away.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DirectionalLight {
-    /// The way the light travels, of any length.
+    /// The vector along which the light travels, of any length.
     pub direction: Vec3,
 }
 
@@ -133,7 +133,7 @@ pub enum Profile {
     /// The same everywhere.
     #[default]
     Uniform,
-    /// ∝ cos^p(π/2·ρ), ρ the distance from the centre over the radius.
+    /// Proportional to cos^p(π/2·ρ), ρ the distance from the centre as a part of the radius.
     CosinePower(#[schemars(range(min = 0))] f64),
 }
 
@@ -165,13 +165,13 @@ pub enum By {
     ]},
 }))]
 pub struct LightKeys {
-    /// Its name; left out, it is `light-1` and so on.
+    /// Its name; if omitted, `light-1` and so on.
     #[serde(default)]
     #[schemars(with = "String")]
     name: CompactString,
     /// Light from one point.
     point: Option<PointLight>,
-    /// Parallel light.
+    /// Parallel light, from infinitely far away.
     directional: Option<DirectionalLight>,
     /// Light from a parallelogram.
     rectangle: Option<RectangleLight>,
@@ -179,19 +179,19 @@ pub struct LightKeys {
     disk: Option<DiskLight>,
     /// Light from the surface of a sphere.
     sphere: Option<SphereLight>,
-    /// Its intensity, I_i.
+    /// I_i, its intensity in each channel.
     #[serde(default = "white")]
     #[schemars(inner(range(min = 0)))]
     color: Rgb,
-    /// c, l and q of min(1, 1/(c + l·dist + q·dist²)); a directional light is never attenuated.
+    /// c, l and q of the attenuation min(1, 1/(c + l·d + q·d²)) at the distance d. A directional light has none.
     #[serde(default = "no_attenuation")]
     #[schemars(inner(range(min = 0)))]
     attenuation: [f64; 3],
-    /// How the light is spread over its surface; `uniform` where it is left out. For rectangles and disks.
+    /// How the intensity varies over the surface of a rectangle or disk; `uniform` if omitted.
     profile: Option<Profile>,
     /// The number of shadow rays to an area light, fixed or from `min` to `max` as needed; 1 by default.
     samples: Option<LightSamples>,
-    /// By what measure the points of an area light count alike: `area` where it is left out, or `solid_angle` (rectangles and spheres).
+    /// By what measure the points of an area light count alike: `area` if omitted, or `solid_angle` (rectangles and spheres).
     by: Option<By>,
 }
 

@@ -17,41 +17,41 @@ use crate::scene::file::validate::limits::{MAX_RATIO, MAX_SAMPLES};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Material {
-    /// K_a.
+    /// K_a: what part of the scene's `ambient` light it sends back.
     #[schemars(inner(range(min = 0)))]
     pub ambient: Rgb,
-    /// K_d.
+    /// K_d: what part of a light it scatters in all directions.
     #[schemars(inner(range(min = 0)))]
     pub diffuse: Rgb,
-    /// K_e.
+    /// K_e: the colour of the highlight.
     #[schemars(inner(range(min = 0)))]
     pub specular: Rgb,
-    /// K_t, the local transmission.
+    /// K_t: what part of a light behind the surface it scatters through, without refraction.
     #[schemars(inner(range(min = 0)))]
     pub transmission: Rgb,
-    /// n_e, the exponent of the highlight.
+    /// n_e, the exponent of the highlight: the larger, the smaller the highlight.
     #[schemars(range(min = 0))]
     pub shininess: f64,
-    /// n_t, the exponent of the local transmission.
+    /// n_t, the exponent of the local transmission, likewise.
     #[schemars(range(min = 0))]
     pub transmission_exponent: f64,
-    /// Refractive index.
+    /// Refractive index of the medium inside; that of air is 1.
     #[schemars(range(min = 1.0 / MAX_RATIO, max = MAX_RATIO))]
     pub ior: f64,
-    /// How much the local, reflected and transmitted parts count.
+    /// How much the local light, the reflected ray and the transmitted ray count.
     pub weights: Weights,
-    /// Blurry reflection by cos^n; `None` is a mirror.
+    /// n of a blurred reflection, whose rays are spread by cos^n around the mirror's; without it the surface is a mirror.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0))]
     pub gloss_exponent: Option<f64>,
-    /// Blurry transmission by cos^n; `None` is clear.
+    /// n of a blurred transmission, likewise; without it the medium is clear.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0))]
     pub translucency_exponent: Option<f64>,
-    /// Rays for one blurry bounce.
+    /// Rays for each blurred bounce.
     #[schemars(range(min = 1, max = MAX_SAMPLES))]
     pub samples: u32,
-    /// A pattern that multiplies ambient and diffuse.
+    /// A pattern that multiplies `ambient` and `diffuse`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pattern: Option<Box<Pattern>>,
 }
@@ -115,7 +115,7 @@ impl Weight {
     }
 }
 
-/// What varies over a surface.
+/// A colour that varies over a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Pattern {
@@ -133,7 +133,7 @@ pub struct Checker {
     /// Colour where it is odd.
     #[schemars(inner(range(min = 0)))]
     pub b: Rgb,
-    /// Side of a cube.
+    /// Edge of a cube.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub size: f64,
 }

@@ -47,15 +47,15 @@ pub type Rgb = [f64; 3];
 #[serde(deny_unknown_fields)]
 pub struct SceneFile {
     /// [`FORMAT`].
-    #[schemars(description = "The form of the file.", extend("const" = FORMAT))]
+    #[schemars(description = "The format of the file and its version.", extend("const" = FORMAT))]
     pub format: String,
-    /// The scene's name; left out, it is the stem of the file's name.
+    /// The scene's name; if omitted, the stem of the file's name.
     #[serde(default)]
     pub name: String,
-    /// Where the picture is taken from.
+    /// Where the picture is taken from, and what part of the scene it shows.
     #[schemars(with = "camera::CameraKeys")]
     pub camera: Camera,
-    /// Ambient light, I_a.
+    /// I_a, the ambient light.
     #[serde(default)]
     #[schemars(inner(range(min = 0)))]
     pub ambient: Rgb,
@@ -71,7 +71,7 @@ pub struct SceneFile {
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, Material>")]
     pub materials: Materials,
-    /// The objects; the order settles ties.
+    /// The objects; of coincident surfaces the first is the nearer one.
     #[serde(deserialize_with = "objects::objects")]
     pub objects: Vec<Object>,
     /// How rays are traced.
@@ -83,7 +83,7 @@ pub struct SceneFile {
     /// Which random numbers the samples draw: another seed gives another picture of the same scene.
     #[serde(default)]
     pub seed: u64,
-    /// The animation, if the scene is one.
+    /// The frames of an animation; if omitted, the scene is a single picture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frames: Option<Frames>,
     /// How values become the numbers of a picture.

@@ -11,26 +11,26 @@ use crate::scene::file::validate::limits::{MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Tracing {
-    /// Which pseudocode.
+    /// Which recursion: that of one of the pseudocodes of the notes.
     pub algorithm: Algorithm,
-    /// Where the recursion stops.
+    /// The depth at which the recursion stops.
     #[schemars(range(max = MAX_DEPTH))]
     pub max_depth: u32,
-    /// Which form of the highlight.
+    /// Which formula of the highlight.
     pub specular: Specular,
-    /// Which formulas; left out, those of the notes by hand and the robust ones in any other arithmetic.
+    /// Which formulas; if omitted, those of the notes by hand and the robust ones in any other arithmetic.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub formulas: Option<Formulas>,
-    /// Which intersection of ray and sphere; left out, the one that the formulas imply.
+    /// Which intersection of ray and sphere; if omitted, the one that the formulas imply.
     #[serde(serialize_with = "sphere_method_or_default")]
     pub sphere_method: Option<SphereMethod>,
     /// What scales the light of a reflected ray.
     #[serde(skip_serializing_if = "ReflectedScale::is_default")]
     pub reflected_scale: ReflectedScale,
-    /// A bounce is left out when the product of the weights along its path is below this in every channel; 0 is off.
+    /// A bounce is skipped when the product of the weights along its path is below this in every channel; 0 is off.
     #[schemars(range(min = 0))]
     pub cutoff: f64,
-    /// Whether a face is there when seen from behind.
+    /// Whether rays hit surfaces from behind; transmitting ones are always hit.
     pub two_sided: bool,
 }
 

@@ -10,13 +10,13 @@ use super::Vec3;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
-    /// Its name; left out, it is filled in on loading (`object-1`).
+    /// Its name; if omitted, `object-1` and so on.
     #[serde(default)]
     #[schemars(with = "String")]
     pub name: CompactString,
-    /// Its form.
+    /// Its geometry.
     pub shape: Shape,
-    /// The name of its material; `None` is the default material.
+    /// The name of its material; if omitted, a material with every key at its default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>")]
     pub material: Option<CompactString>,
@@ -28,29 +28,30 @@ pub struct Object {
 // A file of nothing but spheres says one in 51 bytes, and in NFF in 10: docs/robustness.md has what memory that takes.
 const _: () = assert!(size_of::<Object>() <= 96);
 
-/// The shapes, one key each. Those larger than a sphere lie elsewhere, so that a million spheres don't take the room of a million triangles.
+/// The geometry of an object: one of these keys.
+// Those larger than a sphere are boxed, so that a million spheres don't take the room of a million triangles.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Shape {
-    /// `plane`.
+    /// An infinite plane.
     Plane(Plane),
-    /// `sphere`.
+    /// A sphere.
     Sphere(Sphere),
-    /// `ellipsoid`.
+    /// An ellipsoid.
     Ellipsoid(Box<Ellipsoid>),
-    /// `triangle`.
+    /// A triangle.
     Triangle(Box<Triangle>),
-    /// `polygon`.
+    /// A flat polygon.
     Polygon(Box<Polygon>),
-    /// `box`.
+    /// A box along the axes.
     Box(Box<AxisBox>),
-    /// `cylinder`.
+    /// A cylinder.
     Cylinder(Box<Cylinder>),
-    /// `cone`.
+    /// A cone or a frustum.
     Cone(Box<Cone>),
-    /// `disk`.
+    /// A flat disk.
     Disk(Box<Disk>),
-    /// `mesh`.
+    /// Triangles of another file.
     Mesh(Mesh),
 }
 
@@ -111,7 +112,7 @@ pub struct Ellipsoid {
     /// Its three radii.
     #[schemars(extend("items" = {"type": "number", "exclusiveMinimum": 0}))]
     pub radii: Vec3,
-    /// The rows of a proper rotation; `None` is the identity.
+    /// The rows of a rotation matrix; if omitted, the axes of the ellipsoid are those of the world.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rotation: Option<Box<[Vec3; 3]>>,
 }
