@@ -110,6 +110,9 @@ pub(super) fn begins_a_pair(bindings: &Bindings, first: char) -> bool {
 
 /// The keys of a row as they are now, as the table has them.
 pub fn in_force(bindings: &Bindings, row: &Row) -> Vec<String> {
+    if bindings.is_empty() {
+        return row.keys.iter().map(|key| (*key).to_owned()).collect();
+    }
     let action = Bound::Action(row.name());
     let is_usual = |key: &&&str| match of_table(key) {
         Some(chord) if row.is_of_lists() => deletes(bindings, &chord),

@@ -100,8 +100,8 @@ texts! {
     closes = "Esc closes", "Esc cierra";
     /// In that of bookmarks.
     bookmarks: [Text; 2] =
-        ["j k select, Enter goes there, d deletes, Esc closes", "Enter goes, d deletes, Esc closes"],
-        ["j k eligen, Enter va allí, d borra, Esc cierra", "Enter va, d borra, Esc cierra"];
+        ["< > scroll, Enter goes there, d deletes, Esc closes", "Enter goes, d deletes, Esc closes"],
+        ["< > desplazan, Enter va allí, d borra, Esc cierra", "Enter va, d borra, Esc cierra"];
     /// In that of breakpoints.
     breakpoints: [Text; 4] =
         [
