@@ -60,8 +60,9 @@ fn the_frame_is_saved_as_it_is() {
     }
     // Tab completes names.
     session.press(&format!(":screenshot {}\t", path("scen")));
-    session.shows("scene.txt");
-    session.press("\x1b");
+    session.shows(&format!(":screenshot {}", path("scene.txt")));
+    session.press("\x03");
+    session.hides(":screenshot");
     leave(session);
 }
 
@@ -100,26 +101,20 @@ fn the_log_is_exported_as_trace_writes_it() {
         }
         session.press(&format!(":export {}\r", folder.path().join("a.docx").display()));
         session.shows(".html .md .tex .txt .ndjson .json");
-        session.press("Q");
-        session.press("\x1b\x15:export b.html\r");
-        leave_in_any_language(session);
+        leave(session);
     }
     let before = fs::read(&log).expect("the log");
     let mut session = open(&log);
     session.press(&format!(":export {log_text}\r"));
     session.shows("is the input, which would be overwritten");
-    session.press("\x1b:export -\r");
+    session.press(":export -\r");
     session.shows("expected the name of a file");
-    session.press("\x1bQ:export b.html\r");
+    session.press("Q:export b.html\r");
     session.shows("that would tell the results");
-    session.press("\x1b");
+    session.press("\x03");
+    session.hides(":export");
     leave(session);
     assert_eq!(fs::read(&log).expect("the log"), before);
-}
-
-fn leave_in_any_language(mut session: Session) {
-    session.press("\x1b\x1b:quit\r");
-    session.ends_with(0);
 }
 
 #[test]
@@ -156,7 +151,8 @@ fn notes_are_kept_beside_a_saved_log() {
     session.press("d");
     session.shows("no notes are left");
     assert!(!notes.exists());
-    session.press("\x1b");
+    session.press("q");
+    session.hides("Bookmarks");
     leave(session);
 }
 
@@ -166,8 +162,7 @@ fn notes_find_their_places_in_a_log_that_has_changed() {
     let folder = tempfile::tempdir().expect("a folder");
     let log = saved_log(folder.path());
     let mut session = open(&log);
-    session.press("/C R plane.t\r");
-    session.press("5n:note first\r");
+    session.press("20n:note first\r");
     session.shows("first (kept in ");
     leave(session);
     let notes = folder.path().join("pixel.ndjson.bookmarks.json");
@@ -185,7 +180,8 @@ fn notes_find_their_places_in_a_log_that_has_changed() {
     session.shows("bookmark a: first");
     session.press("M");
     session.shows(&address);
-    session.press("\x1b");
+    session.press("q");
+    session.hides("Bookmarks");
     leave(session);
 }
 
@@ -234,7 +230,7 @@ fn hostile_notes_drive_no_terminal() {
     session.shows("the log has changed since the notes in ");
     session.press("M");
     session.shows("\\u{1b}[31mred\\tgreen\\n");
-    session.press("\x1b'a");
+    session.press("q'a");
     session.shows("this log has no \\u{1b}[2J\\t");
     leave(session);
 }

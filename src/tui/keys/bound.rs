@@ -189,9 +189,6 @@ pub fn bind(
     check: impl FnOnce(&str) -> Result<(), String>,
 ) -> Result<Chord, Refused> {
     let chord = spelt(key)?;
-    if is_fixed(&chord) {
-        return Err(Refused::Fixed);
-    }
     let line = to.strip_prefix(':');
     let bound = match (to, rows().find(|row| row.name() == to)) {
         _ if line.is_some() => {
@@ -208,8 +205,10 @@ pub fn bind(
         (_, Some(_)) => Bound::Action(to.to_owned()),
     };
     let usual = usual(&chord).map_or(Bound::Nothing, |row| Bound::Action(row.name()));
-    if bound != usual {
-        bindings.keys.insert(chord.clone(), bound);
+    match (bound != usual, is_fixed(&chord)) {
+        (true, true) => return Err(Refused::Fixed),
+        (true, false) => _ = bindings.keys.insert(chord.clone(), bound),
+        (false, _) => {}
     }
     Ok(chord)
 }

@@ -20,8 +20,8 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
     let place = Place::of(&listing, &table, &longest_hint(model, kind), buffer.area);
     clear(place.area, buffer);
     let last_shift = place.last_shift(&table);
-    let has_targets = !kind.hints(&model.texts().lists.hints).is_empty() || listing.entries.iter().any(Entry::leads);
-    let hint = hint(model, kind, &place, has_targets, last_shift > 0);
+    let has_targets = kind == Kind::Breakpoints || listing.entries.iter().any(Entry::leads);
+    let hint = hint(model, (kind, &listing), &place, has_targets, last_shift > 0);
     draw_frame(&listing.title, &hint, theme, place.area, buffer);
     let (head, body) = (place.head, place.body);
     let faint = theme.style(Role::Faint);
@@ -76,7 +76,7 @@ fn longest_hint(model: &Model, kind: Kind) -> String {
 }
 
 /// What to say about keys.
-fn hint(model: &Model, kind: Kind, place: &Place, has_targets: bool, is_cut: bool) -> String {
+fn hint(model: &Model, (kind, listing): (Kind, &Listing), place: &Place, has_targets: bool, is_cut: bool) -> String {
     let hints = &model.texts().lists.hints;
     let room = usize::from(inner(place.area, 0).width).saturating_sub(2);
     let usual: &[&str] = match (has_targets, is_cut) {
@@ -85,7 +85,10 @@ fn hint(model: &Model, kind: Kind, place: &Place, has_targets: bool, is_cut: boo
         (false, true) => &[hints.cut_plain],
         (false, false) => &[],
     };
-    let ways = kind.hints(hints).iter().chain(usual).map(|hint| keys::hint(&model.guide.bindings, hint));
+    // Nothing can be deleted where there is nothing.
+    let has_own = kind != Kind::Bookmarks || !listing.entries.is_empty();
+    let own = Some(kind.hints(hints)).filter(|_| has_own).unwrap_or_default();
+    let ways = own.iter().chain(usual).map(|hint| keys::hint(&model.guide.bindings, hint));
     ways.into_iter().find(|hint| width_of(hint) <= room).unwrap_or_else(|| hints.closes.to_owned())
 }
 
