@@ -58,6 +58,9 @@ fn the_frame_is_saved_as_it_is() {
         session.press(&format!(":screenshot {}\r", path(name)));
         session.shows(said);
     }
+    // The terminal is no place for a result.
+    session.press(":write -\r");
+    session.shows("expected the name of a file");
     // Tab completes names.
     session.press(&format!(":screenshot {}\t", path("scen")));
     session.shows(&format!(":screenshot {}", path("scene.txt")));
@@ -108,7 +111,7 @@ fn the_log_is_exported_as_trace_writes_it() {
     session.press(&format!(":export {log_text}\r"));
     session.shows("is the input, which would be overwritten");
     session.press(":export -\r");
-    session.shows("expected the name of a file");
+    session.shows("expected a name that ends in one of .html");
     session.press("Q:export b.html\r");
     session.shows("that would tell the results");
     session.press("\x03");
