@@ -137,7 +137,15 @@ fn scene(name: &str) -> Option<Scene> {
 
 fn options() -> Options {
     let theme = Theme::new(Palette::True, false);
-    Options { theme, start: None, warning: None, note: None, numbers: Style::default(), language: Default::default() }
+    Options {
+        theme,
+        start: None,
+        warning: None,
+        note: None,
+        numbers: Style::default(),
+        language: Default::default(),
+        controls: Default::default(),
+    }
 }
 
 /// The bytes that the process holds (`VmRSS:`) or has held at most (`VmHWM:`); 0 where the system doesn't say.

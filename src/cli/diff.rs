@@ -3,6 +3,7 @@
 mod logs;
 mod pictures;
 
+use super::config::ConfigChoice;
 use super::failure::Failure;
 use super::inputs;
 use super::look::Look;
@@ -75,6 +76,8 @@ pub struct Diff {
     walk: bool,
     #[command(flatten)]
     look: Look,
+    #[command(flatten)]
+    config: ConfigChoice,
     /// Write the differences of two pictures as a picture: black where they are equal, white where they differ most
     #[arg(long, short, value_name = "HEAT.png")]
     output: Option<PathBuf>,
@@ -95,6 +98,9 @@ impl Diff {
         }
         if self.look != Look::default() && !self.walk {
             return Err(Failure::caller("--ascii and --theme: only with --walk"));
+        }
+        if self.config.is_named() && !self.walk {
+            return Err(Failure::caller("--config: only with --walk"));
         }
         inputs::reads([&self.a, &self.b]);
         let [a, b] = [open(&self.a)?, open(&self.b)?];

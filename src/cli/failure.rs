@@ -43,6 +43,12 @@ impl Failure {
         Failure { code: MACHINE, message: escape_hidden_lines(&format!("error: {}", message.into())) }
     }
 
+    /// The same, with what helps in a line of its own.
+    pub fn with_note(mut self, note: &str) -> Failure {
+        self.message = format!("{}\nnote: {note}", self.message);
+        self
+    }
+
     /// An exit code without a message.
     pub fn silent(code: u8) -> Failure {
         Failure { code, message: String::new() }

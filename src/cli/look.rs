@@ -13,11 +13,11 @@ use terminal_colorsaurus::{QueryOptions, ThemeMode, theme_mode};
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Look {
     /// Draw the viewer with ASCII characters only
-    #[arg(long)]
-    ascii: bool,
-    /// The colours of the viewer
-    #[arg(long, value_enum, value_name = "THEME", default_value = "auto")]
-    theme: ThemeChoice,
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true", value_name = "BOOL", hide_possible_values = true)]
+    pub ascii: Option<bool>,
+    /// The colours of the viewer; without it those of the configuration, or else auto
+    #[arg(long, value_enum, value_name = "THEME")]
+    pub theme: Option<ThemeChoice>,
 }
 
 /// The colours of the viewer.
@@ -38,22 +38,31 @@ pub enum ThemeChoice {
 }
 
 impl Look {
+    /// What is said here, and for the rest what is said there.
+    pub fn over(self, other: Look) -> Look {
+        Look { ascii: self.ascii.or(other.ascii), theme: self.theme.or(other.theme) }
+    }
+
+    fn choice(self) -> ThemeChoice {
+        self.theme.unwrap_or_default()
+    }
+
     /// The theme in this terminal.
     pub fn in_terminal(self, colors: ColorChoice) -> Theme {
         let palette = self.palette(has_colors(colors));
-        let asks = self.theme == ThemeChoice::Auto && palette != Palette::None;
-        let is_ascii = self.ascii || !has_unicode(|name| env::var(name).ok());
+        let asks = self.choice() == ThemeChoice::Auto && palette != Palette::None;
+        let is_ascii = self.ascii.unwrap_or_else(|| !has_unicode(|name| env::var(name).ok()));
         let background = if asks { background() } else { self.background() };
         Theme::new(palette, is_ascii).on(background)
     }
 
     /// The theme of a picture.
     pub fn in_picture(self) -> Theme {
-        Theme::new(self.palette(Palette::True), self.ascii).on(self.background())
+        Theme::new(self.palette(Palette::True), self.ascii.unwrap_or_default()).on(self.background())
     }
 
     fn palette(self, of_terminal: Palette) -> Palette {
-        match (self.theme, of_terminal) {
+        match (self.choice(), of_terminal) {
             (ThemeChoice::Mono, _) | (_, Palette::None) => Palette::None,
             (ThemeChoice::Sixteen, _) => Palette::Sixteen,
             (_, palette) => palette,
@@ -61,7 +70,7 @@ impl Look {
     }
 
     fn background(self) -> Background {
-        if self.theme == ThemeChoice::Light { Background::Light } else { Background::Dark }
+        if self.choice() == ThemeChoice::Light { Background::Light } else { Background::Dark }
     }
 }
 

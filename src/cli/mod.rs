@@ -3,6 +3,7 @@
 mod bench;
 mod causes;
 mod color;
+mod config;
 mod diff;
 mod failure;
 mod frames;

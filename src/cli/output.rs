@@ -79,8 +79,17 @@ impl Output {
         self.stream(|out| out.write_all(bytes))
     }
 
+    /// Writes the whole result, which a later one of this run may replace.
+    pub fn commit_for_now(self, bytes: &[u8]) -> Result<(), Failure> {
+        self.stream_and(false, |out| out.write_all(bytes))
+    }
+
     /// Writes a result that comes bit by bit; `write` may fail only because `out` does.
     pub fn stream(self, write: impl FnOnce(&mut Sink) -> io::Result<()>) -> Result<(), Failure> {
+        self.stream_and(true, write)
+    }
+
+    fn stream_and(self, is_kept: bool, write: impl FnOnce(&mut Sink) -> io::Result<()>) -> Result<(), Failure> {
         match self {
             Output::Stdout => through(Box::new(standard()?), None, write).map_err(|error| Failure::stdout(&error)),
             Output::Special(file, path) => through(Box::new(file), None, write).map_err(|error| match error.kind() {
@@ -91,7 +100,9 @@ impl Output {
                 let cannot_write = |error: &io::Error| Failure::io(&named, "write", error);
                 through(Box::new(file.as_file()), packing(&named), write).map_err(|error| cannot_write(&error))?;
                 file.take(&place).map_err(|error| cannot_write(&error))?;
-                claim.keep();
+                if is_kept {
+                    claim.keep();
+                }
                 Ok(())
             }
         }

@@ -13,21 +13,20 @@ use super::progress::ProgressOptions;
 use super::region;
 use super::scene_argument::{self, Input, Named};
 use super::views::{Lang, TraceFormat, TreeOf, View};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use close_up::CloseUpOf;
 use glam::DVec3;
-use raywalk::files::{escape_hidden, unpacked_name};
+use raywalk::files::escape_hidden;
 use raywalk::log::header::MAX_NAMES;
-use raywalk::log::{Header, Log, Shard, file as log_file};
+use raywalk::log::{Log, Shard, file as log_file};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
-use raywalk::report::segments::Segment;
-use raywalk::report::{Style, lines};
+use raywalk::report::Style;
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
 use raywalk::study::rounding::Rounding;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Write the log of a pixel, a ray or a region, or a view of one.
 #[derive(Args)]
@@ -92,23 +91,6 @@ pub struct Subject {
     pub ray: Option<[f64; 6]>,
 }
 
-impl TraceFormat {
-    /// The view that a file's name stands for, before the ending of what packs it.
-    fn of_name(path: &Path) -> Option<TraceFormat> {
-        let name = path.file_name()?.to_str()?;
-        Some(match unpacked_name(name).rsplit_once('.')?.1 {
-            "html" => TraceFormat::Html,
-            "md" => TraceFormat::Markdown,
-            "tex" => TraceFormat::Latex,
-            "dot" => TraceFormat::Dot,
-            "svg" => TraceFormat::Svg,
-            "obj" => TraceFormat::Obj,
-            "ply" => TraceFormat::Ply,
-            _ => return None,
-        })
-    }
-}
-
 impl Trace {
     /// Runs the command.
     pub fn run(self) -> Result<(), Failure> {
@@ -118,7 +100,7 @@ impl Trace {
             Named::Log(opened) => self.of_log(opened)?,
         }
         if let (None, false, Some(path)) = (self.format, self.causes || self.view.is_some(), &self.output)
-            && let Some(format) = TraceFormat::of_name(path)
+            && let Some(format) = TraceFormat::of_view(path)
         {
             let word = format.word();
             output::tell(&format!(
@@ -214,25 +196,6 @@ impl Trace {
                 format.word()
             ))),
             _ => Ok(()),
-        }
-    }
-}
-
-impl TraceFormat {
-    pub(super) fn word(self) -> String {
-        self.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
-    }
-
-    fn is_of_regions(self) -> bool {
-        matches!(self, TraceFormat::Ndjson | TraceFormat::Json | TraceFormat::Text) || self.lines().is_some()
-    }
-
-    /// How rays are written as lines in space, if this is a format for them.
-    fn lines(self) -> Option<fn(&Header, &[Segment]) -> String> {
-        match self {
-            TraceFormat::Obj => Some(lines::obj),
-            TraceFormat::Ply => Some(lines::ply),
-            _ => None,
         }
     }
 }

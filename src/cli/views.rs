@@ -2,17 +2,20 @@
 
 use super::live::drawing;
 use clap::ValueEnum;
-use raywalk::log::{Log, Tree, file as log_file};
+use raywalk::files::unpacked_name;
+use raywalk::log::{Header, Log, Tree, file as log_file};
 use raywalk::report::language::Language;
 use raywalk::report::ray_tree::{self, Figure};
 use raywalk::report::schematic::Stage;
+use raywalk::report::segments::Segment;
 use raywalk::report::solution::{self, Task};
 use raywalk::report::{Style, lines, text};
 use raywalk::scene::Scene;
 use std::io;
+use std::path::Path;
 
 /// The languages of views for people.
-#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Lang {
     /// English.
     #[default]
@@ -40,7 +43,7 @@ pub enum TreeOf {
 }
 
 /// What a log is written as.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TraceFormat {
     /// One event per line.
     Ndjson,
@@ -64,6 +67,64 @@ pub enum TraceFormat {
     Obj,
     /// The same in the colours of their kinds (Polygon File Format).
     Ply,
+}
+
+impl TraceFormat {
+    /// Its name.
+    pub fn word(self) -> String {
+        self.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
+    }
+
+    /// Whether logs of regions are written so.
+    pub fn is_of_regions(self) -> bool {
+        matches!(self, TraceFormat::Ndjson | TraceFormat::Json | TraceFormat::Text) || self.lines().is_some()
+    }
+
+    /// How rays are written as lines in space, if this is a format for them.
+    pub fn lines(self) -> Option<fn(&Header, &[Segment]) -> String> {
+        match self {
+            TraceFormat::Obj => Some(lines::obj),
+            TraceFormat::Ply => Some(lines::ply),
+            _ => None,
+        }
+    }
+}
+
+impl TraceFormat {
+    /// The endings of names that stand for a format.
+    pub const ENDINGS: [&'static str; 11] =
+        [".html", ".md", ".tex", ".txt", ".ndjson", ".json", ".svg", ".dot", ".mmd", ".obj", ".ply"];
+    const FORMATS: [TraceFormat; 11] = [
+        TraceFormat::Html,
+        TraceFormat::Markdown,
+        TraceFormat::Latex,
+        TraceFormat::Text,
+        TraceFormat::Ndjson,
+        TraceFormat::Json,
+        TraceFormat::Svg,
+        TraceFormat::Dot,
+        TraceFormat::Mermaid,
+        TraceFormat::Obj,
+        TraceFormat::Ply,
+    ];
+    /// Those of formats for regions.
+    pub const ENDINGS_OF_REGIONS: [&'static str; 5] = [".txt", ".ndjson", ".json", ".obj", ".ply"];
+
+    /// The format that the ending of a file's name stands for, before the ending of what packs it.
+    pub fn of_ending(path: &Path) -> Option<TraceFormat> {
+        let name = path.file_name()?.to_str()?.to_ascii_lowercase();
+        let name = unpacked_name(&name);
+        let ending = TraceFormat::ENDINGS.iter().position(|ending| name.ends_with(ending))?;
+        Some(TraceFormat::FORMATS[ending])
+    }
+
+    /// The view that a file's name stands for, rather than a log.
+    pub fn of_view(path: &Path) -> Option<TraceFormat> {
+        let is_log = |format: &TraceFormat| {
+            matches!(format, TraceFormat::Ndjson | TraceFormat::Json | TraceFormat::Text | TraceFormat::Mermaid)
+        };
+        TraceFormat::of_ending(path).filter(|format| !is_log(format))
+    }
 }
 
 /// How a log is to be seen.

@@ -1,5 +1,6 @@
 //! `raywalk walk`: the viewer; without a terminal the same walk as text.
 
+use super::config::{Config, ConfigChoice};
 use super::failure::{Failure, HUNG_UP, INTERRUPTED, TERMINATED, shown};
 use super::frames;
 use super::inputs::Inputs;
@@ -19,6 +20,7 @@ use raywalk::log::{Header, Log};
 use raywalk::report::language::Language;
 use raywalk::report::language::viewer::Warnings;
 use raywalk::report::{self, Style};
+use raywalk::tui::screenshot::Form;
 use raywalk::tui::{self, Exit, Outcome, Theme};
 use raywalk_guard::Endings;
 use std::io::{self, IsTerminal};
@@ -44,13 +46,18 @@ pub struct Walk {
     plain: bool,
     #[command(flatten)]
     look: Look,
-    /// The language of the viewer and of the walk as text; `:lang` in the viewer changes it
-    #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
-    lang: Lang,
-    /// Decimals
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=i64::from(Style::MOST_DIGITS)))]
-    digits: u32,
-    /// Write a picture of the viewer instead of opening it
+    /// The language of the viewer and of the walk as text, without it en; `:lang` in the viewer changes it
+    #[arg(long, value_enum, value_name = "LANGUAGE")]
+    lang: Option<Lang>,
+    /// Decimals, without it 3
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(Style::MOST_DIGITS)))]
+    digits: Option<u32>,
+    #[command(flatten)]
+    config: ConfigChoice,
+    /// Print the configuration of the viewer, with these options, as a file that says the same
+    #[arg(long)]
+    print_config: bool,
+    /// Write a picture of the viewer instead of opening it, as .svg or .txt
     #[arg(long, value_name = "FILE.svg")]
     screenshot: Option<PathBuf>,
     /// The keys to press before the screenshot, such as `nnn` or `l<Down><Space>`
@@ -87,11 +94,20 @@ const SCREEN: [u16; 2] = [110, 30];
 impl Walk {
     /// The walk of `raywalk` alone.
     pub fn of_the_numeric_example() -> Walk {
-        Walk { digits: Style::default().digits, ..Walk::default() }
+        Walk::default()
     }
 
     /// Runs the command.
     pub fn run(self, colors: ColorChoice, signals: Option<Endings>) -> Result<(), Failure> {
+        let is_viewer = self.screenshot.is_none() && !self.plain && has_terminal();
+        let config = match is_viewer || self.print_config || self.config.is_named() {
+            true => self.config.read()?,
+            false => Config::default(),
+        };
+        let config = self.over(config);
+        if self.print_config {
+            return output::print(config.file().as_bytes());
+        }
         self.tracing.use_threads();
         let walked = self.walked.as_deref().unwrap_or(Path::new("textbook"));
         let named = match &self.walked {
@@ -99,53 +115,53 @@ impl Walk {
             None => Named::Scene(scene_argument::built_in("textbook")?),
         };
         let Walked { name, log, warning, mut session, inputs } = match named {
-            Named::Scene(input) => self.of_scene(input)?,
-            Named::Log(opened) => self.of_log(opened, walked)?,
+            Named::Scene(input) => self.of_scene(input, &config)?,
+            Named::Log(opened) => self.of_log(opened, walked, &config)?,
         };
         let was_log = session.is_none();
-        let mut saved = SavedLog { digest: log.header.scene.digest.clone() };
+        let mut saved = SavedLog::new(log.header.scene.digest.clone(), inputs.clone(), walked);
         let live: Option<&mut dyn tui::Live> = Some(match &mut session {
             Some(session) => session,
             None => &mut saved,
         });
         if let Some(path) = &self.screenshot {
-            self.check_screenshot(path)?;
+            let form = self.check_screenshot(path)?;
             let [width, height] = self.screen.unwrap_or(SCREEN);
-            let options = self.options(&log.header, self.look.in_picture(), warning);
-            let picture = tui::picture(log, &options, live, &self.keys, (width, height));
+            let options = self.options(&log.header, config.look.in_picture(), warning, &config);
+            let picture = tui::picture_as(form, log, &options, live, &self.keys, (width, height));
             return Output::create(Some(path), &inputs)?.commit(picture.as_bytes());
         }
-        if self.plain || !has_terminal() {
+        if !is_viewer {
             // That a log is damaged is no advice: it is always reported.
             if let Some(warning) = warning.filter(|_| was_log || !self.progress.quiet) {
-                let before = Language::from(self.lang).texts().viewer.status.warning;
+                let before = Language::from(config.language).texts().viewer.status.warning;
                 output::tell(&format!("{before}{name}: {warning}"));
             }
-            let style = Style::of(&log.header, self.digits);
-            return output::print(report::text::text(self.lang.into(), &log, style).as_bytes());
+            let style = Style::of(&log.header, config.digits);
+            return output::print(report::text::text(config.language.into(), &log, style).as_bytes());
         }
         // From here on the viewer minds its signals itself: it has a terminal to give back.
         if let Some(signals) = signals {
             signals.give_up();
         }
-        let options = self.options(&log.header, self.look.in_terminal(colors), warning);
+        let options = self.options(&log.header, config.look.in_terminal(colors), warning, &config);
         let outcome = tui::run(log, options, live)
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
-        self.leave(walked, was_log, &outcome)
+        self.leave(walked, was_log, &config, &outcome)
     }
 
     /// A log that was saved.
-    fn of_log(&self, opened: Opened, path: &Path) -> Result<Walked, Failure> {
+    fn of_log(&self, opened: Opened, path: &Path, config: &Config) -> Result<Walked, Failure> {
         let has_options = self.tracing != TracingOptions::default() || self.subject != Subject::default();
         if has_options || self.frames.is_some() {
             return Err(saved_log::is_traced_already(&opened));
         }
         let Saved { name, log, ending } = saved_log::read(opened, &self.progress)?;
-        Ok(Walked { name, log, warning: (self.warnings().ending)(&ending), session: None, inputs: Inputs::of([path]) })
+        Ok(Walked { name, log, warning: (warnings(config).ending)(&ending), session: None, inputs: Inputs::of([path]) })
     }
 
     /// The log of what is traced now.
-    fn of_scene(&self, input: Input) -> Result<Walked, Failure> {
+    fn of_scene(&self, input: Input, config: &Config) -> Result<Walked, Failure> {
         // Only here it may be a log, too.
         if input.bytes.trim_ascii().is_empty() {
             let name = escape_hidden(&input.name);
@@ -160,7 +176,7 @@ impl Walk {
         let scene = workbench.scene()?;
         let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         let warning = biased_effects(&scene).filter(|_| self.subject.ray.is_none());
-        let warning = warning.map(|effects| (self.warnings().biased)(&effects));
+        let warning = warning.map(|effects| (warnings(config).biased)(&effects));
         doing.now("tracing the pixel");
         let log = short_log(&scene, part, self.tracing.arithmetic())?;
         // For a screenshot there is nothing to be shown before the whole of it.
@@ -168,31 +184,37 @@ impl Walk {
         Ok(Walked { name, log, warning, session, inputs })
     }
 
-    fn warnings(&self) -> &'static Warnings {
-        &Language::from(self.lang).texts().viewer.messages.warnings
+    /// The configuration with what the options of this call say instead of it.
+    fn over(&self, config: Config) -> Config {
+        Config {
+            look: self.look.over(config.look),
+            language: self.lang.unwrap_or(config.language),
+            digits: self.digits.unwrap_or(config.digits),
+            ..config
+        }
     }
 
-    fn options(&self, header: &Header, theme: Theme, warning: Option<String>) -> tui::Options {
-        let (numbers, language) = (Style::of(header, self.digits), self.lang.into());
-        tui::Options { theme, start: self.at, warning, note: None, numbers, language }
+    fn options(&self, header: &Header, theme: Theme, warning: Option<String>, config: &Config) -> tui::Options {
+        let (numbers, language) = (Style::of(header, config.digits), config.language.into());
+        tui::Options { theme, start: self.at, warning, note: None, numbers, language, controls: config.controls() }
     }
 
     /// The call that leads back to the place where the viewer was left: this one, with the pixel and the step.
-    fn call_back(&self, walked: &Path, was_log: bool, outcome: &Outcome) -> String {
+    fn call_back(&self, walked: &Path, was_log: bool, config: &Config, outcome: &Outcome) -> String {
         let words: Vec<String> = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
         let walked = self.walked.is_none().then(|| walked.to_string_lossy().into_owned());
         let pixel = outcome.position.pixel.filter(|_| !was_log);
-        let language = Some(outcome.language).filter(|language| *language != self.lang.into());
-        let digits = Some(outcome.numbers.digits).filter(|digits| *digits != self.digits);
+        let language = Some(outcome.language).filter(|language| *language != config.language.into());
+        let digits = Some(outcome.numbers.digits).filter(|digits| *digits != config.digits);
         let words = words_back(words, walked, pixel, (language, digits), outcome.position.at);
         let words: Vec<_> = words.iter().map(|word| quoted(word)).collect();
         format!("raywalk {}", words.join(" "))
     }
 
-    fn check_screenshot(&self, path: &Path) -> Result<(), Failure> {
-        if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
-            return Err(Failure::caller(format!("{}: expected a name that ends in .svg", shown(path))));
-        }
+    fn check_screenshot(&self, path: &Path) -> Result<Form, Failure> {
+        let Some(form) = Form::of_name(&path.to_string_lossy()) else {
+            return Err(Failure::caller(format!("{}: expected a name that ends in .svg or .txt", shown(path))));
+        };
         if let Some(name) = tui::keys::unknown_name(&self.keys) {
             let message = format!("--keys: no key is called `{}`; `?` in the viewer lists them", escape_hidden(name));
             return Err(Failure::caller(message));
@@ -202,20 +224,24 @@ impl Walk {
             Some([width, height]) if width > MAX_SCREEN || height > MAX_SCREEN => {
                 Err(Failure::caller(format!("--screen {width}x{height}: at most {MAX_SCREEN} columns and rows")))
             }
-            _ => Ok(()),
+            _ => Ok(form),
         }
     }
 
     /// Ends as the viewer was left; prints the way back to the place.
-    fn leave(&self, walked: &Path, was_log: bool, outcome: &Outcome) -> Result<(), Failure> {
+    fn leave(&self, walked: &Path, was_log: bool, config: &Config, outcome: &Outcome) -> Result<(), Failure> {
         left(outcome.exit)?;
         if walked == Path::new("-") || self.progress.quiet {
             return Ok(());
         }
-        let call = self.call_back(walked, was_log, outcome);
+        let call = self.call_back(walked, was_log, config, outcome);
         let back_here = (outcome.language.texts().viewer.messages.back_here)(&call);
         output::print(format!("{back_here}\n").as_bytes())
     }
+}
+
+fn warnings(config: &Config) -> &'static Warnings {
+    &Language::from(config.language).texts().viewer.messages.warnings
 }
 
 /// The size of a screen: `110x30`, or with a comma.

@@ -9,6 +9,7 @@ use super::Theme;
 use super::effect::{Effect, Exit};
 use super::keys::{self, Action, Walk};
 use super::model::Pending;
+use super::model::bindings::Bindings;
 use super::model::prompt::{Prompt, Purpose};
 use super::model::search::Pattern;
 use super::terminal::{Asker, Input, Terminal};
@@ -43,6 +44,8 @@ pub struct Beside<'a> {
     search: Option<Pattern>,
     /// Whether the keys are listed.
     has_help: bool,
+    /// The keys that the user has bound.
+    bindings: Bindings,
 }
 
 /// How many columns the rows are scrolled at once.
@@ -65,7 +68,13 @@ impl<'a> Beside<'a> {
             prompt: None,
             search: None,
             has_help: false,
+            bindings: Bindings::default(),
         }
+    }
+
+    /// The same, with these keys.
+    pub fn with_keys(self, bindings: Bindings) -> Beside<'a> {
+        Beside { bindings, ..self }
     }
 
     /// The terminal has this many rows now.
@@ -75,9 +84,9 @@ impl<'a> Beside<'a> {
 
     /// Does what a key of the viewer means here, and says what is left to do: nothing, to leave or to suspend.
     pub fn press(&mut self, key: KeyEvent) -> Effect {
-        let Some(action) = keys::action(&self.pending, key) else { return Effect::None };
+        let Some(action) = keys::action(&self.bindings, &self.pending, key) else { return Effect::None };
         self.message = None;
-        if action != Action::Suspend {
+        if action != Action::Suspend || (self.prompt.is_some() && keys::is_typed(key)) {
             if self.prompt.is_some() {
                 return self.type_key(key);
             }

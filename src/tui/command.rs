@@ -27,7 +27,8 @@ struct Command {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Argument {
     Nothing,
-    Letter,
+    Bookmark,
+    Note,
     Condition,
     Text,
     Pixel,
@@ -41,11 +42,17 @@ enum Argument {
 }
 
 impl Argument {
+    /// Whether a command says by itself that it is missing.
+    fn is_needed(self) -> bool {
+        matches!(self, Argument::File | Argument::Number | Argument::Name | Argument::Note)
+    }
+
     /// How it is written where commands are listed.
     fn word(self, texts: &Commands) -> &'static str {
         match self {
             Argument::Nothing => "",
-            Argument::Letter => texts.letter,
+            Argument::Bookmark => texts.letter_and_note,
+            Argument::Note => texts.text,
             Argument::Condition => texts.condition,
             Argument::Text => texts.text,
             Argument::Pixel => "X,Y",
@@ -72,7 +79,7 @@ const COMMANDS: &[Command] = &[
         run: |_, word| Ok(Effect::Change(Change::Arithmetic(word.to_owned()))),
     },
     Command { name: "book", argument: Argument::Nothing, run: |model, _| Ok(understanding::open(model, Kind::Book)) },
-    Command { name: "bookmark", argument: Argument::Letter, run: bookmark },
+    Command { name: "bookmark", argument: Argument::Bookmark, run: bookmark },
     Command { name: "bookmarks", argument: Argument::Nothing, run: |model, _| go(model, Walk::Marks) },
     Command { name: "break", argument: Argument::Condition, run: |model, text| plainly(breakpoints::add(model, text)) },
     Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| go(model, Walk::Breakpoints) },
@@ -89,6 +96,7 @@ const COMMANDS: &[Command] = &[
     },
     Command { name: "digits", argument: Argument::Decimals, run: digits },
     Command { name: "edit", argument: Argument::Nothing, run: |model, _| Ok(edit::object(model)) },
+    Command { name: "export", argument: Argument::File, run: export },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
     Command {
         name: "glossary",
@@ -99,6 +107,7 @@ const COMMANDS: &[Command] = &[
     Command { name: "help", argument: Argument::Nothing, run: |model, _| Ok(walk::open_help(model)) },
     Command { name: LANG, argument: Argument::Language, run: language },
     Command { name: "mouse", argument: Argument::Nothing, run: |model, _| go(model, Walk::Mouse) },
+    Command { name: "note", argument: Argument::Note, run: bookmarks::note },
     Command { name: "pixel", argument: Argument::Pixel, run: pixel },
     Command { name: "play", argument: Argument::Nothing, run: |model, _| go(model, Walk::Play) },
     Command { name: "quit", argument: Argument::Nothing, run: |_, _| Ok(Effect::Leave(Exit::Quit)) },
@@ -107,6 +116,7 @@ const COMMANDS: &[Command] = &[
         argument: Argument::Name,
         run: |_, spec| Ok(Effect::Change(Change::Sampling(spec.to_owned()))),
     },
+    Command { name: "screenshot", argument: Argument::File, run: |_, path| Ok(Effect::Screenshot(path.to_owned())) },
     Command { name: "search", argument: Argument::Text, run: |model, text| plainly(search::begin(model, text)) },
     Command { name: SET, argument: Argument::Parameter, run: set },
     Command { name: "stops", argument: Argument::Nothing, run: |model, _| go(model, Walk::Stops) },
@@ -135,10 +145,31 @@ pub(super) fn run(model: &mut Model, text: &str) -> Done {
     if command.argument == Argument::Nothing && !rest.is_empty() {
         return Err((texts.nothing_behind)(command.name));
     }
-    if matches!(command.argument, Argument::File | Argument::Number | Argument::Name) && rest.trim().is_empty() {
+    if command.argument.is_needed() && rest.trim().is_empty() {
         return Err((texts.expected_more)(command.name, command.argument.word(texts)));
     }
     (command.run)(model, rest.trim())
+}
+
+/// Says what is wrong with a line, as far as that can be told of it alone.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn check(line: &str) -> Result<(), String> {
+    if number(line.trim()).is_some() {
+        return Ok(());
+    }
+    let texts = &Language::English.texts().viewer.commands;
+    let (word, rest) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
+    let command = find(word, texts)?;
+    let (has_none, is_missing) = (command.argument == Argument::Nothing, rest.trim().is_empty());
+    match (has_none, is_missing) {
+        (true, false) => Err((texts.nothing_behind)(command.name)),
+        (false, true) if command.argument.is_needed() => {
+            Err((texts.expected_more)(command.name, command.argument.word(texts)))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// A number, also one that is that of no step.
@@ -235,12 +266,20 @@ fn set(model: &mut Model, text: &str) -> Done {
 }
 
 fn bookmark(model: &mut Model, text: &str) -> Done {
-    let mut characters = text.chars();
+    let (letter, note) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+    let mut characters = letter.chars();
     match (characters.next(), characters.next()) {
-        (Some(letter), None) if letter.is_alphanumeric() => bookmarks::set(model, letter),
-        _ => return Err(model.texts().commands.expected_letter.to_owned()),
+        (Some(letter), None) if letter.is_alphanumeric() => bookmarks::set(model, letter, note.trim()),
+        _ => Err(model.texts().commands.expected_letter.to_owned()),
     }
-    Ok(Effect::None)
+}
+
+/// Saves the log in another format: with all its results.
+fn export(model: &mut Model, path: &str) -> Done {
+    match model.understanding.quiz {
+        Some(_) => Err(model.texts().quiz.tells_results.to_owned()),
+        None => Ok(Effect::Export(path.to_owned())),
+    }
 }
 
 /// Goes to a pixel of the log, or has it traced.
@@ -277,6 +316,14 @@ fn pixel(model: &mut Model, text: &str) -> Done {
 /// Whether a line is about a parameter, whose paths only the scene knows.
 pub(super) fn is_of_parameter(line: &str) -> bool {
     line.strip_prefix(SET).is_some_and(|rest| rest.starts_with(' '))
+}
+
+/// What of the path of a file is typed, in a line with a command that takes one.
+pub(super) fn file_in(line: &str) -> Option<&str> {
+    let (word, rest) = line.split_once(' ')?;
+    let mut begun = COMMANDS.iter().filter(|command| command.name.starts_with(word));
+    let command = begun.next().filter(|command| command.name == word || begun.next().is_none())?;
+    (command.argument == Argument::File).then(|| rest.trim_start())
 }
 
 /// How the typed text may go on, if something can go on there.

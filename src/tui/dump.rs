@@ -7,11 +7,7 @@ use std::fmt::Write;
 
 /// The text of a frame, then a line for each run of cells with a style of its own: `row: first-last style`.
 pub fn dump(buffer: &Buffer) -> String {
-    let mut text = String::new();
-    for row in rows(buffer) {
-        let line: String = row.iter().map(Cell::symbol).collect();
-        let _ = writeln!(text, "{}", line.trim_end());
-    }
+    let mut text = text(buffer);
     text.push_str("styles:\n");
     for (number, row) in rows(buffer).enumerate() {
         let mut first = 0;
@@ -22,6 +18,16 @@ pub fn dump(buffer: &Buffer) -> String {
             }
             first += run.len();
         }
+    }
+    text
+}
+
+/// The text of a frame.
+pub fn text(buffer: &Buffer) -> String {
+    let mut text = String::new();
+    for row in rows(buffer) {
+        let line: String = row.iter().map(Cell::symbol).collect();
+        let _ = writeln!(text, "{}", line.trim_end());
     }
     text
 }

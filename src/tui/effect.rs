@@ -29,9 +29,15 @@ pub enum Effect {
     Beside,
     /// Save the scene under this name.
     Save(String),
+    /// Save a picture of the viewer under this name.
+    Screenshot(String),
+    /// Save the log that is shown, in the format of this name.
+    Export(String),
+    /// Keep the notes of the bookmarks.
+    Keep,
     /// Open the scene in an editor, where it has this object.
     Edit(Option<u32>),
-    /// Complete the path of a parameter in the line that is being typed.
+    /// Complete the path of a parameter or of a file in the line that is being typed.
     Complete,
 }
 

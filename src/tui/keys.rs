@@ -2,16 +2,22 @@
 //!
 //! Adding a key is one row here and one arm in `update.rs`. The rows of [`Walk`] have a file of their own.
 
+mod bound;
 mod script;
 mod walk;
 
+pub use bound::{
+    ANY_LETTER, NOTHING, Refused, bind, bind_in_lists, chord, clashes, has_way_out, hint, in_force, names,
+};
 pub use script::{Typed, script, sequence, unknown_name};
 pub use walk::Walk;
 
+use super::model::bindings::{Bindings, Chord};
 use super::model::list::Kind;
 use super::model::{Model, Overlay, Pending};
 use crate::report::language::viewer::{Groups, Keys};
 use Action::*;
+use bound::Does;
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 /// What can be done in the viewer.
@@ -76,6 +82,8 @@ pub enum Action {
     Digit(u8),
     /// The first of two keys.
     Prefix(char),
+    /// The line of this number that a key is bound to.
+    Line(u16),
     /// A key that means nothing.
     Unknown,
     /// The terminal has this many columns and rows now.
@@ -168,8 +176,8 @@ pub fn rows() -> impl Iterator<Item = &'static Row> {
 
 /// What a key does in the viewer as it is now; `None` for a key that is only let go.
 pub fn meant(model: &Model, key: KeyEvent) -> Option<Action> {
-    match action(&model.pending, key) {
-        Some(Suspend) => Some(Suspend),
+    match action(&model.guide.bindings, &model.pending, key) {
+        Some(Suspend) if model.prompt.is_none() || !is_typed(key) => Some(Suspend),
         Some(_) if model.prompt.is_some() => Some(Typed(key)),
         action => in_list(model, key).or(action),
     }
@@ -177,31 +185,45 @@ pub fn meant(model: &Model, key: KeyEvent) -> Option<Action> {
 
 /// What a key does only in a list.
 fn in_list(model: &Model, key: KeyEvent) -> Option<Action> {
-    let is_list = matches!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, .. }));
-    let is_delete = key.code == KeyCode::Char('d') && key.modifiers.is_empty() && key.kind != KeyEventKind::Release;
-    (is_list && is_delete).then_some(Walk(Walk::Delete))
+    let is_list = matches!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints | Kind::Bookmarks, .. }));
+    let chord = Chord { first: model.pending.prefix, key: name(key)? };
+    let is_delete = is_list && key.kind != KeyEventKind::Release && bound::deletes(&model.guide.bindings, &chord);
+    is_delete.then_some(Walk(Walk::Delete))
+}
+
+/// Whether a line that is typed needs a key, whatever it is bound to.
+pub fn is_typed(key: KeyEvent) -> bool {
+    !key.modifiers.contains(KeyModifiers::CONTROL) && !matches!(key.code, KeyCode::F(_))
 }
 
 /// What a key does after what was typed before it; `None` for a key that is only let go.
-pub fn action(pending: &Pending, key: KeyEvent) -> Option<Action> {
+pub fn action(bindings: &Bindings, pending: &Pending, key: KeyEvent) -> Option<Action> {
     if key.kind == KeyEventKind::Release {
         return None;
     }
     let Some(name) = name(key) else { return Some(Unknown) };
-    if let Some(marked) = pending.prefix.and_then(|prefix| walk::marked(prefix, &name)) {
-        return Some(marked);
+    if let Some(both) = pending.prefix.and_then(|first| of_two(bindings, first, &name)) {
+        return Some(both);
     }
     if let Some(digit) = digit(&name).filter(|digit| *digit != 0 || pending.count.is_some()) {
         return Some(Digit(digit));
     }
-    let typed = pending.prefix.map_or_else(|| name.clone(), |prefix| format!("{prefix}{name}"));
-    if let Some(row) = rows().find(|row| row.keys.contains(&typed.as_str())) {
-        return Some(row.action);
+    let first = name.chars().next().filter(|first| name.len() == first.len_utf8() && pending.prefix.is_none());
+    match bound::does(bindings, &Chord { first: pending.prefix, key: name }) {
+        Some(Does::Action(action)) => Some(action),
+        Some(Does::Letter(_)) => Some(first.map_or(Unknown, Prefix)),
+        None => Some(first.filter(|first| bound::begins_a_pair(bindings, *first)).map_or(Unknown, Prefix)),
     }
-    let mut characters = typed.chars();
-    match (characters.next(), characters.next()) {
-        (Some(first), None) if begins_a_pair(first) => Some(Prefix(first)),
-        _ => Some(Unknown),
+}
+
+/// What a character and the key after it do together.
+fn of_two(bindings: &Bindings, first: char, name: &str) -> Option<Action> {
+    if let Some(Does::Action(action)) = bound::does(bindings, &Chord { first: Some(first), key: name.to_owned() }) {
+        return Some(action);
+    }
+    match bound::does(bindings, &Chord { first: None, key: first.to_string() }) {
+        Some(Does::Letter(action)) => walk::with_letter(action, name),
+        _ => None,
     }
 }
 
@@ -251,12 +273,6 @@ fn digit(name: &str) -> Option<u8> {
     name.parse().ok().filter(|_| name.len() == 1)
 }
 
-/// Whether a character is the first of a row with two, such as the `z` of `zz`.
-fn begins_a_pair(first: char) -> bool {
-    let is_pair = |key: &&str| key.chars().count() == 2 && key.chars().all(|c| c.is_ascii_lowercase());
-    walk::begins_a_mark(first) || rows().flat_map(|row| row.keys).any(|key| is_pair(key) && key.starts_with(first))
-}
-
 /// The key that a text such as `j`, `^d` or `PgUp` names.
 pub fn parse(text: &str) -> Option<KeyEvent> {
     let plain = |code| Some(KeyEvent::new(code, KeyModifiers::NONE));
@@ -266,13 +282,10 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
         ('^', Some(letter), None) => return Some(KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL)),
         _ => {}
     }
-    // As other programs write it: `C-d`, `c-d`.
-    if let Some(letter) = text
-        .strip_prefix(['C', 'c'])
-        .and_then(|rest| rest.strip_prefix('-'))
-        .filter(|letter| letter.chars().count() == 1)
-    {
-        return parse(&format!("^{letter}"));
+    // As other programs write it: `C-d`, `c-d`, `Ctrl-d`.
+    let control = text.split_once('-').filter(|(word, _)| ["c", "ctrl"].contains(&word.to_ascii_lowercase().as_str()));
+    if let Some((_, letter)) = control.filter(|(_, letter)| letter.chars().count() == 1) {
+        return parse(&format!("^{}", letter.to_lowercase()));
     }
     match NAMES.iter().find(|(name, _)| *name == text) {
         Some((_, code)) => plain(*code),

@@ -10,7 +10,12 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
     match kind {
         Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints_title, &[], breakpoints::entries(model)),
         Kind::Stops => Listing::of(&texts.stops, texts.stops_title, &[0], run::entries(model)),
-        Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks_title, &[], bookmarks::entries(model)),
+        Kind::Bookmarks => {
+            let all = Listing::of(&texts.bookmarks, texts.bookmarks_title, &[], bookmarks::entries(model));
+            // Without notes there is no column of them.
+            let columns = if bookmarks::has_notes(model) { 4 } else { 3 };
+            Listing { columns: all.columns[..columns].to_vec(), ..all }
+        }
         _ => {
             // Made when it was opened.
             let opened = model.understanding.listing.as_ref().filter(|(of, _)| *of == kind);

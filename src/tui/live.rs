@@ -5,6 +5,7 @@ use super::model::changed::Changed;
 use super::model::drawing::Drawing;
 use super::model::facts::Facts;
 use super::model::fold::Fold;
+use super::model::guide::{Note, Notes};
 use super::model::layout::Layout;
 use super::model::list::Kind;
 use super::model::picture::{Image, PictureView, Wanted};
@@ -70,6 +71,31 @@ pub trait Live {
         Err(Refusal::NoScene)
     }
 
+    /// Saves what the viewer made under this name.
+    fn write(&mut self, _path: &str, _text: &str) -> Result<(), Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    /// Saves a log in the format of the ending of a name.
+    fn export(&mut self, _log: &Log, _path: &str, _language: Language, _numbers: Style) -> Result<(), Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    /// The files and folders whose paths begin so; those of folders end with `/`.
+    fn files(&mut self, _beginning: &str) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// The notes that are kept for a log.
+    fn notes(&mut self, _log: &Log) -> Result<Option<Notes>, Refusal> {
+        Ok(None)
+    }
+
+    /// Keeps the notes of a log. Gives the name of the file that has them, or had them where there are none left.
+    fn keep(&mut self, _log: &Log, _notes: &[Note]) -> Result<String, Refusal> {
+        Err(Refusal::OnlyOfLogs)
+    }
+
     /// The file of the scene, and the line where it has an object, from 1.
     fn source(&mut self, _object: Option<u32>) -> Option<(PathBuf, usize)> {
         None
@@ -112,6 +138,16 @@ pub enum Refusal {
     NoPath,
     /// A path leads nowhere; what is there instead.
     NoParameter(String, Vec<String>),
+    /// Results go to files only.
+    NoFile,
+    /// A name ends otherwise than one of these.
+    Ending(&'static [&'static str]),
+    /// Only notes of saved logs are kept.
+    OnlyOfLogs,
+    /// A file isn't one of the viewer's notes.
+    NotOurs(String),
+    /// A file has been changed by another program.
+    ChangedMeanwhile(String),
     /// Another reason, in the words of who has it.
     Other(String),
 }
@@ -132,6 +168,11 @@ impl Refusal {
             Refusal::NothingChanged => messages.nothing_changed.to_owned(),
             Refusal::NoPath => messages.no_path.to_owned(),
             Refusal::NoParameter(path, known) => (messages.no_parameter)(&plain(path), &plain(&known.join(", "))),
+            Refusal::NoFile => messages.no_file.to_owned(),
+            Refusal::Ending(known) => (messages.expected_ending)(&known.join(" ")),
+            Refusal::OnlyOfLogs => messages.only_of_logs.to_owned(),
+            Refusal::NotOurs(path) => (messages.not_ours)(&plain(path)),
+            Refusal::ChangedMeanwhile(path) => (messages.changed_meanwhile)(&plain(path)),
             Refusal::Other(why) => why.clone(),
         }
     }
@@ -141,7 +182,14 @@ impl Refusal {
 pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut dyn Live>) {
     let asked = match (effect, live) {
         // The terminal is needed for these.
-        (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_) | Effect::Edit(_), _) => return,
+        (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_) | Effect::Edit(_), _)
+        | (Effect::Screenshot(_), _) => return,
+        (Effect::Keep, live) => {
+            let notes = bookmarks::notes(model);
+            let kept = live.as_mut().ok_or(Refusal::OnlyOfLogs).and_then(|live| live.keep(&model.log, &notes));
+            bookmarks::kept(model, kept.map_err(|why| why.text(model.language)));
+            return;
+        }
         (_, None) => Err(Refusal::NoScene),
         (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| show_log(model, log)),
         (Effect::Revisit(pixel, spot), Some(live)) => live.trace(pixel).map(|log| {
@@ -160,8 +208,16 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
         (Effect::Save(path), Some(live)) => {
             live.save(&path).map(|()| model.say(&(model.texts().messages.saved)(&plain(&path))))
         }
+        (Effect::Export(path), Some(live)) => {
+            let written = live.export(&model.log, &path, model.language, model.numbers);
+            written.map(|()| model.say(&(model.texts().messages.written)(&plain(&path))))
+        }
         (Effect::Complete, Some(live)) => {
-            prompt::complete_path(model, |beginning| live.parameters(beginning));
+            if prompt::is_of_file(model) {
+                prompt::complete_file(model, |beginning| live.files(beginning));
+            } else {
+                prompt::complete_path(model, |beginning| live.parameters(beginning));
+            }
             Ok(())
         }
         (Effect::Study(arithmetic), Some(live)) => {
@@ -177,6 +233,15 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
     };
     if let Err(why) = asked {
         model.say(&why.text(model.language));
+    }
+}
+
+/// Takes the notes that are kept for the log.
+pub(super) fn take_notes(model: &mut Model, live: &mut Option<&mut dyn Live>) {
+    match live.as_mut().map_or(Ok(None), |live| live.notes(&model.log)) {
+        Ok(Some(notes)) => bookmarks::take(model, notes),
+        Ok(None) => {}
+        Err(why) => model.say(&plain(&why.text(model.language))),
     }
 }
 

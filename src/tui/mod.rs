@@ -33,6 +33,7 @@ mod run;
 pub mod screenshot;
 mod search;
 mod steps;
+mod still;
 mod terminal;
 #[cfg(test)]
 mod testing;
@@ -49,11 +50,13 @@ mod update;
 mod view;
 mod walk;
 
+pub use command::check as check_command;
 pub use effect::{Change, Effect, Exit};
 pub use keys::{Action, Walk};
 pub use live::{Live, Refusal, show_log};
+pub use model::bindings::{Bindings, Chord};
 pub use model::drawing::{Drawing, PlaceOf, Projection, Wireframe};
-pub use model::guide::Guide;
+pub use model::guide::{Guide, MAX_NOTE_LENGTH, MAX_NOTES, Note, Notes, Spelt};
 pub use model::jumps::Spot;
 pub use model::list::{Entry, Kind, Listing};
 pub use model::picture::{COARSEST, Dot, Image, Layer, Levels, PictureView, Wanted};
@@ -92,6 +95,17 @@ pub struct Options {
     pub numbers: Numbers,
     /// Its language at first.
     pub language: Language,
+    /// What it reacts to.
+    pub controls: Controls,
+}
+
+/// What the viewer reacts to.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Controls {
+    /// The keys that the user has bound.
+    pub bindings: Bindings,
+    /// Whether the mouse selects and scrolls at first.
+    pub has_mouse: bool,
 }
 
 /// How the viewer ended.
@@ -120,6 +134,7 @@ pub struct Position {
 pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::Result<Outcome> {
     let theme = options.theme;
     let mut model = opened(log, &options);
+    live::take_notes(&mut model, &mut live);
     live::look(&mut model, &mut live, Wanted::Latest);
     let mut terminal = Terminal::enter()?;
     let exit = show(&mut model, &mut terminal, &mut live, &theme).or_else(|error| terminal.left_by(error))?;
@@ -158,6 +173,8 @@ pub fn opened(log: Log, options: &Options) -> Model {
     model.numbers = options.numbers;
     model.language = options.language;
     model.is_ascii = options.theme.is_ascii();
+    model.guide.bindings = options.controls.bindings.clone();
+    model.guide.has_mouse = options.controls.has_mouse;
     if let Some(note) = &options.note {
         model.say(note);
     }
@@ -190,6 +207,7 @@ pub fn opened_with_keys(
     (width, height): (u16, u16),
 ) -> Model {
     let mut model = opened(log, options);
+    live::take_notes(&mut model, &mut live);
     live::look(&mut model, &mut live, Wanted::Latest);
     update(&mut model, Action::Resize(width, height));
     for typed in keys::script(keys) {
@@ -201,7 +219,7 @@ pub fn opened_with_keys(
         };
         if let Some(action) = keys::meant(&model, key) {
             let effect = update(&mut model, action);
-            live::answer(&mut model, effect, &mut live);
+            still::answer(&mut model, effect, &mut live, &options.theme);
         }
     }
     search::finish(&mut model);
@@ -217,8 +235,19 @@ pub fn picture(
     keys: &str,
     (width, height): (u16, u16),
 ) -> String {
-    let model = opened_with_keys(log, options, live, keys, (width, height));
-    screenshot::svg(&frame(&model, width, height, &options.theme), options.theme.background)
+    picture_as(screenshot::Form::Svg, log, options, live, keys, (width, height))
+}
+
+/// The viewer in one of the forms of pictures, after these keys.
+pub fn picture_as(
+    form: screenshot::Form,
+    log: Log,
+    options: &Options,
+    live: Option<&mut dyn Live>,
+    keys: &str,
+    (width, height): (u16, u16),
+) -> String {
+    still::drawn(&opened_with_keys(log, options, live, keys, (width, height)), form, &options.theme)
 }
 
 fn react(
@@ -247,7 +276,7 @@ fn react(
         Input::Mouse(event) => {
             if let Some(action) = mouse::meant(model, event) {
                 let asked = update(model, action);
-                live::answer(model, asked, live);
+                still::answer(model, asked, live, theme);
             }
         }
         Input::Paste(text) => prompt::pasted(model, &text),
@@ -262,7 +291,7 @@ fn react(
                     if matches!(asked, Effect::Study(_)) && live.is_some() {
                         say_at_once(model, terminal, theme, model.texts().messages.studying)?;
                     }
-                    live::answer(model, asked, live);
+                    still::answer(model, asked, live, theme);
                 }
                 None => {}
             }
@@ -291,7 +320,11 @@ fn beside(model: &mut Model, terminal: &mut Terminal, mut before: Log, theme: &T
     let name = words::plain(&model.log.header.scene.name);
     let title = |which: &&str| format!("{name} - {which}");
     let [of_before, of_now] = model.texts().messages.before_and_now;
-    let exit = beside::show(&mut Beside::new(rows, [title(&of_before), title(&of_now)]), terminal, theme)?;
+    let exit = beside::show(
+        &mut Beside::new(rows, [title(&of_before), title(&of_now)]).with_keys(model.guide.bindings.clone()),
+        terminal,
+        theme,
+    )?;
     resized(model, terminal)?;
     Ok(Some(exit).filter(|exit| *exit != Exit::Quit))
 }

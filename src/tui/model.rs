@@ -1,5 +1,6 @@
 //! The state of the viewer: the log, the place in it, and what of it is shown. It draws nothing and reads no keys.
 
+pub mod bindings;
 pub mod breakpoint;
 pub mod changed;
 pub mod drawing;

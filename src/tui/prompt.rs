@@ -38,7 +38,7 @@ pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
         KeyCode::Esc => model.prompt = None,
         KeyCode::Char('c') if key.modifiers.contains(KeyModifiers::CONTROL) => model.prompt = None,
         KeyCode::Backspace if prompt.line.value().is_empty() => model.prompt = None,
-        KeyCode::Tab if prompt.purpose == Purpose::Command && command::is_of_parameter(prompt.line.value()) => {
+        KeyCode::Tab if is_of_scene_or_file(prompt) => {
             return Effect::Complete;
         }
         KeyCode::Tab => complete(model),
@@ -80,6 +80,32 @@ fn recall(model: &mut Model, further: fn(usize) -> usize) {
     let left = std::mem::replace(&mut prompt.line, line.into());
     prompt.left.insert(prompt.recalled, left.value().to_owned());
     prompt.recalled = place;
+}
+
+/// Whether the path of a file is being typed.
+pub(super) fn is_of_file(model: &Model) -> bool {
+    model.prompt.as_ref().is_some_and(|prompt| command::file_in(prompt.line.value()).is_some())
+}
+
+/// Whether what is being typed can only be completed by who knows the scene and the files.
+fn is_of_scene_or_file(prompt: &Prompt) -> bool {
+    let line = prompt.line.value();
+    prompt.purpose == Purpose::Command && (command::is_of_parameter(line) || command::file_in(line).is_some())
+}
+
+/// Completes the path of a file, and says which there are.
+pub(super) fn complete_file(model: &mut Model, files: impl FnOnce(&str) -> Vec<String>) {
+    let Some(prompt) = &model.prompt else { return };
+    let line = prompt.line.value();
+    let Some(typed) = command::file_in(line) else { return };
+    let before = line[..line.len() - typed.len()].to_owned();
+    let found = files(typed);
+    let ways: Vec<_> = found.iter().map(|file| format!("{before}{file}")).collect();
+    if !complete_to(model, &ways) && found.len() > 1 {
+        let name = |file: &String| plain(file.trim_end_matches('/').rsplit('/').next().unwrap_or_default());
+        let some: Vec<_> = found.iter().take(12).map(name).collect();
+        model.say(&some.join("  "));
+    }
 }
 
 /// Completes the path of a parameter, and says which values there are.

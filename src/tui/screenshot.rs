@@ -7,6 +7,27 @@ use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier, Style};
 use std::fmt::Write;
 
+/// What a picture of the viewer is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// A picture.
+    Svg,
+    /// The text alone.
+    Text,
+}
+
+impl Form {
+    /// The endings of their names.
+    pub const ENDINGS: [&'static str; 2] = [".svg", ".txt"];
+
+    /// The form that a file's name asks for.
+    pub fn of_name(name: &str) -> Option<Form> {
+        let lower = name.to_ascii_lowercase();
+        let ending = Form::ENDINGS.iter().position(|ending| lower.ends_with(ending))?;
+        Some([Form::Svg, Form::Text][ending])
+    }
+}
+
 /// The size of a cell, and of the letters in it, in the units of the picture.
 const CELL: (f64, f64) = (8.4, 18.0);
 const LETTERS: f64 = 14.0;

@@ -141,6 +141,7 @@ fn warnings_stay_until_they_are_dismissed() {
         note: None,
         numbers: Default::default(),
         language: Default::default(),
+        controls: Default::default(),
     };
     let mut model = opened(textbook(), &options);
     assert_eq!(model.step(), model.log.events.len());
@@ -267,6 +268,7 @@ fn pictures_show_the_viewer_after_some_keys() {
         note: None,
         numbers: Default::default(),
         language: Default::default(),
+        controls: Default::default(),
     };
     let svg = picture(textbook(), &options, None, "3n", (80, 24));
     assert!(svg.contains("step 5/98"), "{svg}");

@@ -8,7 +8,7 @@ use super::model::prompt::{Prompt, Purpose};
 use super::model::{Model, Overlay, Pane};
 use super::steps::{self, Stop};
 use super::view::{self, help};
-use super::{jumps, list, mouse, panes, play, prompt, quiz, understanding, walk};
+use super::{command, jumps, list, mouse, panes, play, prompt, quiz, understanding, walk};
 use crate::log::tree::Item;
 use ratatui::layout::Position;
 
@@ -114,6 +114,14 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Worst => return understanding::open(model, Kind::Worst),
         Action::ZoomIn | Action::ZoomOut | Action::Brighter | Action::Darker | Action::NextView | Action::CellLeft => {
             model.say(model.texts().messages.other_pane);
+        }
+        Action::Line(number) => {
+            let line = model.guide.bindings.lines().nth(number.into()).map(|(_, line)| line.to_owned());
+            let line = line.unwrap_or_default();
+            return command::run(model, &line).unwrap_or_else(|why| {
+                model.say(&why);
+                Effect::None
+            });
         }
         Action::Unknown => model.say(model.texts().messages.no_key),
         Action::Digit(_) | Action::Prefix(_) | Action::Resize(..) | Action::Typed(_) => {}

@@ -34,7 +34,12 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
             model.prompt = Some(Prompt::new(Purpose::Filter));
         }
         Walk::Tests => toggle_tests(model),
-        Walk::Mark(letter) => bookmarks::set(model, letter),
+        Walk::Mark(letter) => {
+            return bookmarks::set(model, letter, "").unwrap_or_else(|why| {
+                model.say(&why);
+                Effect::None
+            });
+        }
         Walk::GoTo('\'') => return jumps::over(model),
         Walk::GoTo(letter) => bookmarks::go(model, letter),
         Walk::Marks => listing::open(model, Kind::Bookmarks),

@@ -111,6 +111,7 @@ fn replay(seed: u64, log: Log, random: &mut Random) {
         language: Language::ALL[random.below(2)],
         start: None,
         warning: None,
+        controls: Default::default(),
         note: None,
         numbers: Style::default(),
     };

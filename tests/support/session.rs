@@ -30,6 +30,8 @@ pub fn spawned(program: &OsStr, arguments: &[&str], columns: u16, rows: u16) -> 
     // Nobody asks the terminal what it is like.
     command.env("COLORFGBG", "15;0");
     command.env("LC_ALL", "C.UTF-8");
+    // Whoever runs the tests may have a configuration of their own.
+    command.env("RAYWALK_CONFIG", "none");
     command.env_remove("NO_COLOR");
     let child = pair.slave.spawn_command(command).expect("the program starts");
     let reader = pair.master.try_clone_reader().expect("a reader");

@@ -17,6 +17,7 @@ fn options(palette: Palette, ascii: bool) -> Options {
         note: None,
         numbers: Default::default(),
         language: Default::default(),
+        controls: Default::default(),
     }
 }
 

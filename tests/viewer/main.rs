@@ -8,9 +8,13 @@ mod source;
 mod support;
 
 mod beside;
+#[cfg(unix)]
+mod configuration;
 mod frames;
 mod pictures;
 mod questions;
+#[cfg(unix)]
+mod saved;
 mod spanish;
 #[cfg(unix)]
 mod terminal;

@@ -43,7 +43,15 @@ impl Live for ByHand {
 
 fn model_after(keys: &str, language: Language, size: (u16, u16)) -> Model {
     let theme = Theme::new(Palette::None, false);
-    let options = Options { theme, start: None, warning: None, note: None, numbers: Default::default(), language };
+    let options = Options {
+        theme,
+        start: None,
+        warning: None,
+        note: None,
+        numbers: Default::default(),
+        language,
+        controls: Default::default(),
+    };
     let log = record::pixel(&scene("textbook"), MIDDLE, Arithmetic::Decimal(3));
     tui::opened_with_keys(log, &options, Some(&mut ByHand), keys, size)
 }
@@ -165,6 +173,7 @@ fn a_filter_leaves_what_is_transmitted() {
         note: None,
         numbers: Default::default(),
         language: Language::English,
+        controls: Default::default(),
     };
     let model = tui::opened_with_keys(log, &options, None, "f transmitted Enter E", (100, 30));
     let is_brought = |node: usize| model.tree.around(node).any(|at| model.tree.ray(at) == Some(RayKind::Transmitted));

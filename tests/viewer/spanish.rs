@@ -52,7 +52,15 @@ fn by_hand() -> Log {
 fn options(palette: Palette, ascii: bool) -> Options {
     let theme = Theme::new(palette, ascii);
     let language = Language::Spanish;
-    Options { theme, start: None, warning: None, note: None, numbers: Default::default(), language }
+    Options {
+        theme,
+        start: None,
+        warning: None,
+        note: None,
+        numbers: Default::default(),
+        language,
+        controls: Default::default(),
+    }
 }
 
 /// The frame of a log after these keys, with a scene behind it or without.

@@ -352,8 +352,15 @@ fn panicking_viewer() {
     let log = raywalk::record::pixel(&scene, [160, 120], raywalk::record::Arithmetic::F64);
     let theme = raywalk::tui::Theme::new(raywalk::tui::Palette::None, false);
     let numbers = raywalk::report::Style::default();
-    let options =
-        raywalk::tui::Options { theme, start: None, warning: None, note: None, numbers, language: Default::default() };
+    let options = raywalk::tui::Options {
+        theme,
+        start: None,
+        warning: None,
+        note: None,
+        numbers,
+        language: Default::default(),
+        controls: Default::default(),
+    };
     raywalk::tui::run(log, options, Some(&mut Panics)).expect("a terminal");
 }
 

@@ -32,6 +32,7 @@ fn frame_after(keys: &str, width: u16, height: u16) -> String {
         note: None,
         numbers: Default::default(),
         language: Default::default(),
+        controls: Default::default(),
     };
     let log = record::pixel(&scene("textbook"), [160, 120], Arithmetic::Decimal(3));
     let model = tui::opened_with_keys(log, &options, Some(&mut Example), keys, (width, height));

@@ -75,6 +75,7 @@ impl Diff {
         colors: ColorChoice,
         signals: Option<Endings>,
     ) -> Result<bool, Failure> {
+        let config = self.config.read()?;
         let mut pairs = Pairs::of(Source::open(a)?, Source::open(b)?)?;
         let tolerance = self.tolerance();
         let (mut walked, mut is_same) = (None::<(Pixel, Log, Log)>, true);
@@ -104,7 +105,8 @@ impl Diff {
         if let Some(signals) = signals {
             signals.give_up();
         }
-        let exit = beside::run(beside, &self.look.in_terminal(colors))
+        let (beside, look) = (beside.with_keys(config.bindings), self.look.over(config.look));
+        let exit = beside::run(beside, &look.in_terminal(colors))
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
         left(exit).and(is_whole).map(|()| is_same)
     }

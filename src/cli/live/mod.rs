@@ -1,23 +1,29 @@
 //! The scene behind the viewer, which is traced while one looks.
 
 pub mod drawing;
+mod notes;
 mod paths;
 mod picture;
+mod results;
 pub mod workbench;
 
+use crate::cli::inputs::Inputs;
 use crate::cli::textbook::scene_of;
 use glam::DVec3;
+use notes::Notebook;
 use picture::Rendering;
 use raywalk::log::{Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
+use raywalk::report::Style;
 use raywalk::report::causes::Study;
+use raywalk::report::language::Language;
 use raywalk::report::paper::Paper;
 use raywalk::scene::Scene;
 use raywalk::study::rounding::{self, MAX_CAUSES, Rounding};
 use raywalk::study::textbook::{self, Example};
-use raywalk::tui::{Change, Drawing, Image, Live, Refusal, Wanted};
-use std::path::PathBuf;
+use raywalk::tui::{Change, Drawing, Image, Live, Note, Notes, Refusal, Wanted};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use workbench::Workbench;
 
@@ -136,6 +142,18 @@ impl Live for Session {
         self.workbench.save(path)
     }
 
+    fn write(&mut self, path: &str, text: &str) -> Result<(), Refusal> {
+        results::write(path, self.workbench.inputs(), text.as_bytes())
+    }
+
+    fn export(&mut self, log: &Log, path: &str, language: Language, numbers: Style) -> Result<(), Refusal> {
+        results::export(Some(&self.scene), log, (path, self.workbench.inputs()), (language, numbers))
+    }
+
+    fn files(&mut self, beginning: &str) -> Vec<String> {
+        results::files(beginning)
+    }
+
     fn source(&mut self, object: Option<u32>) -> Option<(PathBuf, usize)> {
         self.workbench.place(object)
     }
@@ -159,7 +177,17 @@ impl Live for Session {
 /// What can be asked of a saved log, which has no scene.
 pub struct SavedLog {
     /// The digest of the scene that it is of.
-    pub digest: String,
+    digest: String,
+    /// The files that were read.
+    inputs: Inputs,
+    notebook: Notebook,
+}
+
+impl SavedLog {
+    /// That of a scene with this digest, which was read from these files, the log from the first path.
+    pub fn new(digest: String, inputs: Inputs, path: &Path) -> SavedLog {
+        SavedLog { digest, inputs, notebook: Notebook::beside(path) }
+    }
 }
 
 impl Live for SavedLog {
@@ -173,6 +201,26 @@ impl Live for SavedLog {
 
     fn book(&mut self, subject: Subject) -> Result<Paper, Refusal> {
         book(&self.digest, subject)
+    }
+
+    fn write(&mut self, path: &str, text: &str) -> Result<(), Refusal> {
+        results::write(path, &self.inputs, text.as_bytes())
+    }
+
+    fn export(&mut self, log: &Log, path: &str, language: Language, numbers: Style) -> Result<(), Refusal> {
+        results::export(None, log, (path, &self.inputs), (language, numbers))
+    }
+
+    fn files(&mut self, beginning: &str) -> Vec<String> {
+        results::files(beginning)
+    }
+
+    fn notes(&mut self, log: &Log) -> Result<Option<Notes>, Refusal> {
+        self.notebook.read(log)
+    }
+
+    fn keep(&mut self, log: &Log, notes: &[Note]) -> Result<String, Refusal> {
+        self.notebook.write(log, notes, &self.inputs)
     }
 }
 

@@ -1,10 +1,11 @@
 //! The scene of a session as it is now, and how it is traced: what is changed in the viewer, taken back, saved and read anew.
 
 use super::paths::{self, PathError};
+use super::results::{self, refused};
 use crate::cli::failure::Failure;
 use crate::cli::frames;
+use crate::cli::inputs::Inputs;
 use crate::cli::options::TracingOptions;
-use crate::cli::output::Output;
 use crate::cli::sampling_spec;
 use crate::cli::scene_argument::{self, Input, Loaded, mesh_paths};
 use clap::ValueEnum;
@@ -137,8 +138,12 @@ impl Workbench {
     /// Saves the scene as it is traced now. It goes to no file that it was read from.
     pub fn save(&self, path: &str) -> Result<(), Refusal> {
         let scene = self.now.tracing.settled(self.now.loaded.clone()).map_err(refused)?.scene;
-        let output = Output::create(Some(Path::new(path)), &self.now.loaded.inputs).map_err(refused)?;
-        output.commit(scene.to_json().as_bytes()).map_err(refused)
+        results::write(path, self.inputs(), scene.to_json().as_bytes())
+    }
+
+    /// The files that the scene was read from.
+    pub fn inputs(&self) -> &Inputs {
+        &self.now.loaded.inputs
     }
 
     /// Whether the scene has files that may change.
@@ -182,11 +187,6 @@ fn unknown_algorithm(word: &str) -> Refusal {
     let values: Vec<_> = Algorithm::value_variants().iter().filter_map(ValueEnum::to_possible_value).collect();
     let known: Vec<_> = values.iter().map(PossibleValue::get_name).collect();
     Refusal::Other(unknown("algorithm", word, &known))
-}
-
-/// What a command would say of it, in one line.
-fn refused(failure: Failure) -> Refusal {
-    Refusal::Other(failure.line().to_owned())
 }
 
 /// The first problem of a file, in one line.

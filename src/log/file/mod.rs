@@ -17,7 +17,7 @@ pub use error::{Ending, LogError};
 pub use pixels::{PixelEvents, PixelReader};
 pub use read::{read, read_from};
 pub use reader::ReadLog;
-pub use write::{Lines, Writer, to_json, to_ndjson};
+pub use write::{Lines, Writer, digest, to_json, to_ndjson};
 
 /// The most events of a saved log, or of one of its pixels where it is read by pixels, that are held in memory.
 pub const MAX_SAVED_EVENTS: usize = 1 << 24;

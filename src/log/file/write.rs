@@ -209,7 +209,21 @@ pub fn to_json(log: &Log) -> io::Result<Vec<u8>> {
 }
 
 fn end_object(events: u64, hasher: &blake3::Hasher) -> String {
-    format!("{{\"end\":{{\"events\":{events},\"digest\":\"blake3:{}\"}}}}", hasher.finalize().to_hex())
+    format!("{{\"end\":{{\"events\":{events},\"digest\":\"{}\"}}}}", digest_of(hasher))
+}
+
+fn digest_of(hasher: &blake3::Hasher) -> String {
+    format!("blake3:{}", hasher.finalize().to_hex())
+}
+
+/// The digest that a log has in its end line where raywalk writes it.
+///
+/// # Errors
+/// None: nothing is written.
+pub fn digest(log: &Log) -> io::Result<String> {
+    let mut writer = Writer::new(io::sink(), &log.header)?;
+    writer.write(&log.events)?;
+    Ok(digest_of(&writer.hasher))
 }
 
 /// The event as a JSON object without its closing brace.

@@ -4,6 +4,7 @@ use super::Beside;
 use crate::report::diff::Row;
 use crate::report::language::Language;
 use crate::report::words::plain;
+use crate::tui::keys;
 use crate::tui::text::{shown, width_of, wrap};
 use crate::tui::theme::{Role, Theme};
 use crate::tui::view::{clear, cut, draw_frame, draw_line, draw_rule, inner, put, put_all};
@@ -50,7 +51,7 @@ pub(super) fn draw(beside: &Beside, theme: &Theme, buffer: &mut Buffer) {
     }
     draw_below(beside, theme, Rect { y: height as u16 + 1, ..screen }, buffer);
     if beside.has_help {
-        draw_help(theme, buffer);
+        draw_help(beside, theme, buffer);
     }
 }
 
@@ -82,7 +83,7 @@ const KEYS: [(&str, &str); 10] = [
     ("q Esc ^c", "quit"),
 ];
 
-fn draw_help(theme: &Theme, buffer: &mut Buffer) {
+fn draw_help(beside: &Beside, theme: &Theme, buffer: &mut Buffer) {
     let screen = buffer.area;
     let (width, height) = (screen.width.min(62), screen.height.min(KEYS.len() as u16 + 2));
     let area = Rect { x: (screen.width - width) / 2, y: (screen.height - height) / 2, width, height };
@@ -90,6 +91,7 @@ fn draw_help(theme: &Theme, buffer: &mut Buffer) {
     draw_frame("Keys", "any key closes", theme, area, buffer);
     let body = inner(area, 1);
     let lines = KEYS.iter().map(|(keys, help)| {
+        let keys = keys::hint(&beside.bindings, keys);
         let text = cut(&format!("{keys:<17}{help}"), 0, usize::from(body.width), theme);
         Line::styled(text, theme.style(Role::Text))
     });

@@ -87,18 +87,13 @@ pub(super) const TABLE: &[Row] = &[
     row(|groups| groups.breakpoints, &["d"], Action::Walk(Walk::Delete), |keys| keys.delete),
 ];
 
-/// Whether a character is the first of two keys of which the second is anybody's choice.
-pub(super) fn begins_a_mark(first: char) -> bool {
-    matches!(first, 'm' | '\'')
-}
-
-/// What such a first key and the name of the second mean.
-pub(super) fn marked(prefix: char, name: &str) -> Option<Action> {
+/// An action with the letter that was typed behind its key.
+pub(super) fn with_letter(action: Action, name: &str) -> Option<Action> {
     let mut characters = name.chars();
-    let second = characters.next().filter(|_| characters.next().is_none())?;
-    match prefix {
-        'm' if second.is_alphanumeric() => Some(Action::Walk(Walk::Mark(second))),
-        '\'' if second.is_alphanumeric() || second == '\'' => Some(Action::Walk(Walk::GoTo(second))),
+    let letter = characters.next().filter(|letter| characters.next().is_none() && letter.is_alphanumeric())?;
+    match action {
+        Action::Walk(Walk::Mark(_)) => Some(Action::Walk(Walk::Mark(letter))),
+        Action::Walk(Walk::GoTo(_)) => Some(Action::Walk(Walk::GoTo(letter))),
         _ => None,
     }
 }

@@ -1,5 +1,6 @@
 //! What the user has set to find the way: breakpoints, bookmarks, a search, the pace of playing.
 
+use super::bindings::Bindings;
 use super::breakpoint::Breakpoint;
 use super::fold::Folds;
 use super::history::History;
@@ -10,6 +11,8 @@ use crate::log::tree::Place;
 /// What the user has set to find the way.
 #[derive(Clone, Debug, Default)]
 pub struct Guide {
+    /// The keys that the user has bound.
+    pub bindings: Bindings,
     /// Where to stop.
     pub breakpoints: Vec<Breakpoint>,
     /// Where runs have stopped, the latest last.
@@ -61,13 +64,56 @@ pub struct Stopped {
 pub struct Bookmark {
     /// The letter that it is called by.
     pub letter: char,
-    /// Where it is, in any log.
-    pub place: Place,
+    /// Where it is, in any log; unknown of one from a file that this log doesn't have.
+    pub place: Option<Place>,
     /// The same in words.
     pub address: String,
     /// Where it is in this log, if it is there.
     pub event: Option<usize>,
+    /// What is noted there.
+    pub note: String,
+    /// Of one from a file that this log doesn't have: how the file knows its place.
+    pub kept: Option<Spelt>,
 }
+
+/// How a file knows the place of a bookmark with this address.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Spelt {
+    /// How many places before it have the same address.
+    pub number: usize,
+    /// The step, from 1: as long as the log is the same.
+    pub step: usize,
+}
+
+/// A bookmark with a note, as a file keeps it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// The letter of the bookmark.
+    pub letter: char,
+    /// Its place in words.
+    pub address: String,
+    /// Which of the places with that address, and the step.
+    pub spelt: Spelt,
+    /// What is noted.
+    pub text: String,
+}
+
+/// The notes in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Notes {
+    /// The notes.
+    pub notes: Vec<Note>,
+    /// Whether the log is still the same as when they were kept.
+    pub is_same_log: bool,
+    /// The name of the file.
+    pub file: String,
+}
+
+/// The most bookmarks with notes.
+pub const MAX_NOTES: usize = 200;
+
+/// The most characters of a note.
+pub const MAX_NOTE_LENGTH: usize = 1000;
 
 /// Whether it plays, and how fast.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -35,6 +35,7 @@ impl Kind {
     pub fn hints(self, hints: &'static Hints) -> &'static [&'static str] {
         match self {
             Kind::Breakpoints => &hints.breakpoints,
+            Kind::Bookmarks => &hints.bookmarks,
             _ => &[],
         }
     }

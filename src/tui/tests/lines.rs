@@ -58,8 +58,10 @@ fn commands() {
         ("bookmark", "expected one letter"),
         ("bookmark ab", "expected one letter"),
         ("serach x", "did you mean :search?"),
-        ("b", "may be :book, :bookmark LETTER, :bookmarks, :break CONDITION"),
-        ("xyzzy", "expected a step or a command: :algorithm NAME, :arithmetic NAME, :book, :bookmark LETTER"),
+        ("b", "may be :book, :bookmark LETTER [NOTE], :bookmarks, :break CONDITION"),
+        ("xyzzy", "expected a step or a command: :algorithm NAME, :arithmetic NAME, :book, :bookmark LETTER [NOTE]"),
+        ("note", "expected :note TEXT"),
+        ("screenshot", "expected :screenshot FILE"),
         ("quit now", "nothing may follow :quit"),
         ("break object x", "no object"),
     ] {

@@ -86,7 +86,7 @@ fn what_enter_does_is_said_also_on_a_small_screen() {
         ("5n d", "Enter goes, Esc closes"),
         ("D", "Enter goes, Esc closes"),
         ("w", "< > scroll, Enter goes, Esc closes"),
-        ("m a M", "Enter goes, Esc closes"),
+        ("m a M", "Enter goes, d deletes, Esc closes"),
         ("b h i t Enter B", "Enter next"),
         ("r L", "Enter goes, Esc closes"),
     ] {

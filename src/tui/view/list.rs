@@ -2,7 +2,7 @@
 
 use super::table::{Table, cut};
 use super::{clear, draw_frame, inner, put, put_all};
-use crate::report::language::viewer::Hints;
+use crate::tui::keys;
 use crate::tui::listing::listing;
 use crate::tui::model::Model;
 use crate::tui::model::list::{Entry, Kind, Listing};
@@ -17,13 +17,12 @@ use ratatui::text::{Line, Span};
 pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize), theme: &Theme, buffer: &mut Buffer) {
     let listing = listing(model, kind);
     let table = Table::of(&listing, theme);
-    let hints = &model.texts().lists.hints;
-    let place = Place::of(&listing, &table, kind.hints(hints).first().unwrap_or(&hints.usual[0]), buffer.area);
+    let place = Place::of(&listing, &table, &longest_hint(model, kind), buffer.area);
     clear(place.area, buffer);
     let last_shift = place.last_shift(&table);
-    let has_targets = !kind.hints(hints).is_empty() || listing.entries.iter().any(Entry::leads);
-    let hint = hint(kind, hints, &place, has_targets, last_shift > 0);
-    draw_frame(&listing.title, hint, theme, place.area, buffer);
+    let has_targets = kind == Kind::Breakpoints || listing.entries.iter().any(Entry::leads);
+    let hint = hint(model, (kind, &listing), &place, has_targets, last_shift > 0);
+    draw_frame(&listing.title, &hint, theme, place.area, buffer);
     let (head, body) = (place.head, place.body);
     let faint = theme.style(Role::Faint);
     if table.rows.is_empty() {
@@ -65,15 +64,20 @@ pub(in crate::tui) fn entry_at(
     at: Position,
 ) -> Option<usize> {
     let table = Table::of(listing, &Theme::new(Palette::None, model.is_ascii));
-    let hints = &model.texts().lists.hints;
-    let hint = kind.hints(hints).first().unwrap_or(&hints.usual[0]);
-    let place = Place::of(listing, &table, hint, Rect::new(0, 0, model.size.0, model.size.1));
+    let place = Place::of(listing, &table, &longest_hint(model, kind), Rect::new(0, 0, model.size.0, model.size.1));
     let row = place.body.contains(at).then(|| place.top(selected, &table) + usize::from(at.y - place.body.y))?;
     Some(row).filter(|row| *row < table.rows.len())
 }
 
+/// The longest that is said about keys.
+fn longest_hint(model: &Model, kind: Kind) -> String {
+    let hints = &model.texts().lists.hints;
+    keys::hint(&model.guide.bindings, kind.hints(hints).first().unwrap_or(&hints.usual[0]))
+}
+
 /// What to say about keys.
-fn hint(kind: Kind, hints: &'static Hints, place: &Place, has_targets: bool, is_cut: bool) -> &'static str {
+fn hint(model: &Model, (kind, listing): (Kind, &Listing), place: &Place, has_targets: bool, is_cut: bool) -> String {
+    let hints = &model.texts().lists.hints;
     let room = usize::from(inner(place.area, 0).width).saturating_sub(2);
     let usual: &[&str] = match (has_targets, is_cut) {
         (true, true) => &[hints.cut[0], hints.cut[1], hints.usual[1]],
@@ -81,17 +85,19 @@ fn hint(kind: Kind, hints: &'static Hints, place: &Place, has_targets: bool, is_
         (false, true) => &[hints.cut_plain],
         (false, false) => &[],
     };
-    let ways = kind.hints(hints).iter().chain(usual);
-    ways.copied().find(|hint| width_of(hint) <= room).unwrap_or(hints.closes)
+    // Nothing can be deleted where there is nothing.
+    let has_own = kind != Kind::Bookmarks || !listing.entries.is_empty();
+    let own = Some(kind.hints(hints)).filter(|_| has_own).unwrap_or_default();
+    let ways = own.iter().chain(usual).map(|hint| keys::hint(&model.guide.bindings, hint));
+    ways.into_iter().find(|hint| width_of(hint) <= room).unwrap_or_else(|| hints.closes.to_owned())
 }
 
 /// The last column from which on a list can be seen.
 pub(in crate::tui) fn last_shift(model: &Model, listing: &Listing, kind: Kind) -> usize {
     // Text is widest in ASCII.
     let table = Table::of(listing, &Theme::new(Palette::None, true));
-    let hints = &model.texts().lists.hints;
-    let hint = kind.hints(hints).first().unwrap_or(&hints.usual[0]);
-    Place::of(listing, &table, hint, Rect::new(0, 0, model.size.0, model.size.1)).last_shift(&table)
+    Place::of(listing, &table, &longest_hint(model, kind), Rect::new(0, 0, model.size.0, model.size.1))
+        .last_shift(&table)
 }
 
 /// Where a list lies: in the middle of the screen, as large as it need be.

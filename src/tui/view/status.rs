@@ -4,6 +4,7 @@ use super::put;
 use crate::log::What;
 use crate::report::language::viewer::Viewer;
 use crate::report::tag::{is_left_out, tag};
+use crate::tui::keys;
 use crate::tui::model::prompt::Prompt;
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{counted, shown, width_of};
@@ -122,13 +123,17 @@ fn hints(model: &Model, room: usize) -> String {
         Pane::Schematic => hints.schematic,
         Pane::Code => hints.code,
     };
-    let of_mode: Vec<_> = of_mode.copied().collect();
-    let useful = [of_mode.as_slice(), of_pane].concat();
-    let ends = [hints.help, hints.quit];
-    let lines = (1..=useful.len()).rev().map(|count| [&useful[..count], &ends].concat());
+    let now = |hint: &&str| Some(keys::hint(&model.guide.bindings, hint)).filter(|hint| !hint.is_empty());
+    let of_mode: Vec<_> = of_mode.filter_map(now).collect();
+    let useful: Vec<_> = of_mode.iter().cloned().chain(of_pane.iter().filter_map(now)).collect();
+    let ends: Vec<_> = [hints.help, hints.quit].iter().filter_map(now).collect();
+    let lines = (1..=useful.len()).rev().map(|count| [&useful[..count], &ends[..]].concat());
     // What a mode has of its own is worth more than those.
-    let brief = of_mode.first().map(|own| vec![*own]);
-    let mut lines = lines.chain(brief).chain([ends.to_vec(), vec![hints.help]]).map(|hints| hints.join(GAP));
+    let brief = of_mode.first().map(|own| vec![own.clone()]);
+    let mut lines = lines
+        .chain(brief)
+        .chain([ends.clone(), ends.first().cloned().into_iter().collect()])
+        .map(|hints| hints.join(GAP));
     lines.find(|line| width_of(line) <= room).unwrap_or_default()
 }
 

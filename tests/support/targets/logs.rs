@@ -91,6 +91,7 @@ fn is_walked_through(log: &Log, length: usize) {
         theme,
         start: None,
         warning: None,
+        controls: Default::default(),
         note: None,
         numbers: Style::default(),
         language: Language::default(),

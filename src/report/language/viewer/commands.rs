@@ -5,6 +5,8 @@ texts! {
     Commands;
     /// What represents the letter that a command takes.
     letter = "LETTER", "LETRA";
+    /// What represents a letter and perhaps a text.
+    letter_and_note = "LETTER [NOTE]", "LETRA [NOTA]";
     /// What represents the condition.
     condition = "CONDITION", "CONDICIÓN";
     /// What represents the text.
@@ -34,7 +36,7 @@ texts! {
     /// Nothing follows a command that needs something.
     expected_more(command: &str, what: &str) = "expected :{command} {what}", "se espera :{command} {what}";
     /// What follows `bookmark`.
-    expected_letter = "expected one letter, such as :bookmark a", "se espera una letra, como :bookmark a";
+    expected_letter = "expected one letter, and perhaps a note: :bookmark a too dark here", "se espera una letra, y quizá una nota: :bookmark a aquí falta luz";
     /// What follows `pixel`.
     expected_pixel =
         "expected a column and a row, such as :pixel 160,120",

@@ -1,5 +1,17 @@
 //! The help: every key in words.
 
+/// A table of texts that also has a table of the names of its rows.
+macro_rules! named_texts {
+    ($(#[$about:meta])* $table:ident; $($name:ident = $english:expr, $spanish:expr;)*) => {
+        texts! { $(#[$about])* $table; $($name = $english, $spanish;)* }
+
+        impl $table {
+            /// The names of the texts instead of them.
+            pub const NAMES: $table = $table { $($name: stringify!($name)),* };
+        }
+    };
+}
+
 texts! {
     /// The texts of the help.
     Help;
@@ -39,10 +51,11 @@ texts! {
     run = "Run and play", "Ejecutar y reproducir";
     find = "Find", "Buscar";
     keep = "Remember and copy", "Recordar y copiar";
-    breakpoints = "In the list of breakpoints", "En la lista de puntos de interrupción";
+    breakpoints = "In the lists of breakpoints and bookmarks", "En las listas de puntos de interrupción y de marcadores";
+    own = "Your own keys", "Sus propias teclas";
 }
 
-texts! {
+named_texts! {
     /// What the keys do; the names are those of the actions.
     #[allow(missing_docs)]
     Keys;
@@ -168,6 +181,6 @@ texts! {
     edit = "open the scene in $EDITOR, at the object of this step", "abrir la escena en $EDITOR, en el objeto de este paso";
     mouse = "let the mouse select and scroll, or not", "que el ratón seleccione y desplace, o no";
     delete =
-        "delete it; Space turns it on or off, Enter goes to its next place",
-        "lo borra; Space lo activa o desactiva, Enter va al siguiente lugar";
+        "delete it; Space turns a breakpoint on or off, Enter goes to its next place",
+        "lo borra; Space activa o desactiva un punto de interrupción, Enter va al siguiente lugar";
 }

@@ -26,9 +26,9 @@ texts! {
     /// The bookmarks.
     bookmarks_title = "Bookmarks", "Marcadores";
     /// Its columns, and what is said where it has no entries.
-    bookmarks: List<3> =
-        list(["key", "address", "what is there"], "none: m and a letter set one"),
-        list(["letra", "dirección", "qué hay allí"], "ninguno: m y una letra ponen uno");
+    bookmarks: List<4> =
+        list(["key", "address", "what is there", "note"], "none: m and a letter set one"),
+        list(["letra", "dirección", "qué hay allí", "nota"], "ninguno: m y una letra ponen uno");
     /// A bookmark in a pixel of a region, and what is there.
     in_pixel([x, y]: [u32; 2], what: &str) = "in {x},{y}: {what}", "en {x},{y}: {what}";
     /// A bookmark that leads nowhere.
@@ -98,6 +98,10 @@ texts! {
     cut_plain = "< > scroll, Esc closes", "< > desplazan, Esc cierra";
     /// Where nothing else fits.
     closes = "Esc closes", "Esc cierra";
+    /// In that of bookmarks.
+    bookmarks: [Text; 2] =
+        ["< > scroll, Enter goes there, d deletes, Esc closes", "Enter goes, d deletes, Esc closes"],
+        ["< > desplazan, Enter va allí, d borra, Esc cierra", "Enter va, d borra, Esc cierra"];
     /// In that of breakpoints.
     breakpoints: [Text; 4] =
         [

@@ -46,6 +46,12 @@ texts! {
     not_reloaded(why: &str) = "not reloaded: {why}", "no se ha vuelto a leer: {why}";
     /// The scene was saved.
     saved(path: &str) = "saved as {path}", "guardada como {path}";
+    /// Something was saved in a file.
+    written(path: &str) = "saved as {path}", "guardado como {path}";
+    /// Results go to files only.
+    no_file = "expected the name of a file", "se espera el nombre de un archivo";
+    /// How the name of a file may end.
+    expected_ending(known: &str) = "expected a name that ends in one of {known}", "se espera un nombre que termine en uno de {known}";
     /// There is no file to edit.
     no_source = "this scene has no file of its own to edit", "esta escena no tiene un archivo propio que editar";
     /// The editor couldn't be run.
@@ -120,6 +126,42 @@ texts! {
     no_step_to_remember = "no step to remember", "no hay paso que recordar";
     /// A bookmark, and its address.
     bookmark(letter: char, address: &str) = "bookmark {letter}: {address}", "marcador {letter}: {address}";
+    /// A bookmark with a note.
+    noted(letter: char, note: &str) = "bookmark {letter}: {note}", "marcador {letter}: {note}";
+    /// A bookmark was deleted.
+    bookmark_deleted(letter: char) = "no bookmark {letter} any more", "ya no hay marcador {letter}";
+    /// No letter is left for another bookmark.
+    no_letter = "every letter from a to z is taken; :bookmark a TEXT takes one anew", "todas las letras de la a a la z están ocupadas; :bookmark a TEXTO toma una de nuevo";
+    /// A note is too long.
+    note_too_long(most: usize) = "a note has at most {most} characters", "una nota tiene como mucho {most} caracteres";
+    /// There are too many notes.
+    too_many_notes(most: usize) = "at most {most} bookmarks have notes", "como mucho {most} marcadores tienen notas";
+    /// What was done with a note, and the file that keeps it.
+    kept_in(done: &str, file: &str) = "{done} (kept in {file})", "{done} (guardado en {file})";
+    /// What was done with the last note, and the file that kept it.
+    kept_no_longer(done: &str, file: &str) = "{done} (no notes are left: {file} is removed)", "{done} (no quedan notas: se elimina {file})";
+    /// What was done with a note, and why it isn't kept.
+    not_kept(done: &str, why: &str) = "{done} (only until you leave: {why})", "{done} (solo hasta que salga: {why})";
+    /// Only notes of saved logs are kept.
+    only_of_logs =
+        "only notes on a saved log are kept in a file, beside it",
+        "solo las notas de un registro guardado se guardan en un archivo, junto a él";
+    /// A file isn't one of notes.
+    not_ours(file: &str) =
+        "{file} is no file of bookmarks of this version, and stays as it is",
+        "{file} no es un archivo de marcadores de esta versión, y se queda como está";
+    /// A file has been changed by another program.
+    changed_meanwhile(file: &str) =
+        "{file} has been changed by another program, and stays as it is",
+        "otro programa ha cambiado {file}, y se queda como está";
+    /// How many notes were found in a file.
+    notes_found: fn(usize, &str) -> String =
+        |count, file| format!("{count} {} from {file}; M lists them", if count == 1 { "note" } else { "notes" }),
+        |count, file| format!("{count} {} de {file}; M las enumera", if count == 1 { "nota" } else { "notas" });
+    /// The log has changed since notes were kept: how many have their place in it still.
+    notes_of_another(found: usize, count: usize, file: &str) =
+        "the log has changed since the notes in {file}: {found} of {count} have a place in it; M lists them",
+        "el registro ha cambiado desde las notas de {file}: {found} de {count} tienen lugar en él; M las enumera";
     /// There is no such bookmark.
     no_bookmark(letter: char) =
         "no bookmark {letter}; m{letter} sets it, M lists all",
