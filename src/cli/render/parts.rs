@@ -33,14 +33,13 @@ impl Render {
         let header = self.header(task, Shard::WHOLE)?;
         let (mut checkpoint, kept) = Checkpoint::open(&task.path, &header, &task.inputs)?;
         drop(place);
-        let files = || picture::digest(&task.path, format, self.layers.as_ref());
+        let files = || picture::digest(&task.path, format, task.layers.as_ref());
         if checkpoint.is_in(files().ok()) {
             self.tell(&task.path, "exists already");
             return Ok(checkpoint.spent());
         }
         let mut kept = self.render_rest(task, &header, kept, Some(&mut checkpoint))?.0;
-        let mut canvas =
-            Canvas::new(task.settings.crop, header.picture.content.job()).map_err(|error| failed(&error))?;
+        let mut canvas = header.picture.content.canvas(task.settings.crop).map_err(|error| failed(&error))?;
         for (number, _) in header.pieces() {
             if let Some(pixels) = kept.remove(&number) {
                 canvas.put(&pixels);
@@ -107,8 +106,8 @@ impl Render {
             Ok(())
         };
         let never = AtomicBool::new(false);
-        let job = header.picture.content.job();
-        let rendered = render_pieces(&task.scene, &task.settings, job, &missing, keep, &never);
+        let job = self.job(task)?;
+        let rendered = render_pieces(&task.scene, &task.settings, &job, &missing, keep, &never);
         progress.finish();
         match rendered {
             Ok(counts) => Ok((kept, counts)),
@@ -123,7 +122,7 @@ impl Render {
     /// What a part of this picture says about itself.
     pub(super) fn header(&self, task: &Task, shard: Shard) -> Result<PartHeader, Failure> {
         let Task { scene, settings, .. } = task;
-        let content = match (&self.layers, self.digits_seed()?) {
+        let content = match (&task.layers, self.digits_seed()?) {
             (Some(layers), _) => Content::Layers { names: layers.names(), objects: names_of(scene) },
             (None, Some(seed)) => Content::Digits { seed },
             (None, None) => Content::Colors,
