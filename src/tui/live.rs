@@ -9,7 +9,9 @@ use super::model::layout::Layout;
 use super::model::list::Kind;
 use super::model::picture::{Image, PictureView, Wanted};
 use super::model::{Model, Pane};
-use super::{bookmarks, jumps, prompt, quiz, search, understanding};
+use super::{bookmarks, jumps, plane, prompt, quiz, search, understanding};
+use crate::files::suggest;
+use crate::log::plane::Plane;
 use crate::log::tree::Place;
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style;
@@ -29,6 +31,11 @@ pub trait Live {
     /// The picture as far as it is there, if there is more of it than when it was asked for last; waits for what is wanted.
     fn picture(&mut self, _wanted: Wanted) -> Option<Arc<Image>> {
         None
+    }
+
+    /// Has the picture rendered anew with what of the pixels has a name.
+    fn show(&mut self, _plane: &Plane) -> Result<(), Refusal> {
+        Err(Refusal::NoScene)
     }
 
     /// The scene as lines.
@@ -109,6 +116,10 @@ pub enum Refusal {
     NoPath,
     /// A path leads nowhere; what is there instead.
     NoParameter(String, Vec<String>),
+    /// The scene has no such light; those it has.
+    NoLight(String, Vec<String>),
+    /// No path is of the class; the classes there can be.
+    NoClass(String, Vec<String>),
     /// Another reason, in the words of who has it.
     Other(String),
 }
@@ -128,6 +139,11 @@ impl Refusal {
             Refusal::NothingChanged => messages.nothing_changed.to_owned(),
             Refusal::NoPath => messages.no_path.to_owned(),
             Refusal::NoParameter(path, known) => (messages.no_parameter)(&plain(path), &plain(&known.join(", "))),
+            Refusal::NoLight(name, known) => {
+                let near = suggest(name, known.iter().map(String::as_str)).unwrap_or_default();
+                (messages.no_light)(&plain(name), &plain(near), &plain(&known.join(", ")))
+            }
+            Refusal::NoClass(class, known) => (messages.no_class)(&plain(class), &plain(&known.join(", "))),
             Refusal::Other(why) => why.clone(),
         }
     }
@@ -156,6 +172,10 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
         (Effect::Save(path), Some(live)) => {
             live.save(&path).map(|()| model.say(&(model.texts().messages.saved)(&plain(&path))))
         }
+        (Effect::Picture(plane), Some(live)) => live.show(&plane).map(|()| {
+            look(model, &mut Some(&mut **live), Wanted::Latest);
+            plane::is_shown(model);
+        }),
         (Effect::Complete, Some(live)) => {
             prompt::complete_path(model, |beginning| live.parameters(beginning));
             Ok(())

@@ -8,7 +8,7 @@ use crate::support;
 use exr::prelude::*;
 use raywalk::log::{Decision, What};
 use raywalk::record::{self, Arithmetic};
-use raywalk::render::layers::{Layer, Layered};
+use raywalk::render::layers::{Layer, Layered, Planes};
 use raywalk::render::{Canvas, Job, Settings, TileOrder, render, render_job};
 use raywalk::scene::{Sampling, Scene};
 use std::fs;
@@ -23,7 +23,7 @@ fn settings() -> Settings {
 
 fn layered(scene: &Scene, crop: [u32; 4]) -> Layered {
     let settings = Settings { crop, ..settings() };
-    match render_job(Job::Layers, scene, &settings, |_| (), &AtomicBool::new(false)).unwrap().film {
+    match render_job(Job::Layers(Planes::default()), scene, &settings, |_| (), &AtomicBool::new(false)).unwrap().film {
         Canvas::Layers(layered) => layered,
         other => panic!("layers, not {other:?}"),
     }
