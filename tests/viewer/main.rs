@@ -10,6 +10,7 @@ mod support;
 mod beside;
 mod frames;
 mod pictures;
+mod planes;
 mod questions;
 mod spanish;
 #[cfg(unix)]

@@ -31,6 +31,7 @@ impl Render {
             return Err(not_a_file(task));
         }
         let header = self.header(task, Shard::WHOLE)?;
+        fits(&header)?;
         let (mut checkpoint, kept) = Checkpoint::open(&task.path, &header, &task.inputs)?;
         drop(place);
         let files = || picture::digest(&task.path, format, task.layers.as_ref());
@@ -53,6 +54,7 @@ impl Render {
     /// Renders a shard into a part, unless it is there.
     pub(super) fn part(&self, task: &Task, mut seconds: Seconds) -> Result<(), Failure> {
         let header = self.header(task, self.shard.unwrap_or(Shard::WHOLE))?;
+        fits(&header)?;
         if is_whole(&task.path, &header) {
             self.tell(&task.path, "exists already and is complete");
             output::sweep_around(&task.path);
@@ -136,6 +138,17 @@ impl Render {
             output::tell(&format!("note: {}: {what}", shown(path)));
         }
     }
+}
+
+/// Refuses what no part could be read of again.
+fn fits(header: &PartHeader) -> Result<(), Failure> {
+    let bytes = header.bytes_of_picture();
+    if bytes <= MAX_PART_BYTES {
+        return Ok(());
+    }
+    Err(Failure::caller(format!(
+        "--layers: too many for parts of this picture: {bytes} bytes, expected at most {MAX_PART_BYTES}"
+    )))
 }
 
 fn not_a_file(task: &Task) -> Failure {

@@ -103,6 +103,13 @@ impl PartHeader {
         PartHeader { part: FORMAT.to_owned(), shard, picture }
     }
 
+    /// How many bytes the pixels of the whole picture take.
+    pub fn bytes_of_picture(&self) -> u64 {
+        let [left, top, right, bottom] = self.picture.crop;
+        let words = words::count(&self.picture.content) as u64;
+        u64::from(right - left) * u64::from(bottom - top) * words * size_of::<u64>() as u64
+    }
+
     /// The pieces that the part has when it is whole, with their numbers.
     pub fn pieces(&self) -> impl Iterator<Item = (u32, [u32; 4])> {
         pieces_of(self.picture.crop, self.shard)

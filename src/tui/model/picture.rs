@@ -46,7 +46,7 @@ pub enum Shows {
 pub type Levels = Arc<dyn Fn([f64; 3], f64) -> [u8; 3] + Send + Sync>;
 
 /// A pixel of the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Dot {
     /// The colour, in linear light.
     pub color: [f64; 3],
