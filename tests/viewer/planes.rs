@@ -127,7 +127,7 @@ fn the_usual_path_is_that_of_the_selected_node() {
         model.picture.as_ref().map(|view| view.title(model.language).to_owned()).unwrap_or_default()
     };
     assert_eq!(title(":picture shade.n_dot_l Enter"), "shade.n_dot_l@C");
-    assert_eq!(title("/refl Enter :picture hit.point.y Enter"), "hit.point.y@C R");
+    assert_eq!(title("/C R reflected Enter :picture hit.point.y Enter"), "hit.point.y@C R");
     assert_eq!(title(":picture light:ambient Enter"), "light:ambient");
     assert_eq!(title(":picture class:L(D|S)SE Enter"), "class:L(D|S)SE");
     assert_eq!(title(":picture hit.point Enter :picture Enter"), "picture");
