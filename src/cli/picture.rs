@@ -4,6 +4,7 @@ use super::failure::{Failure, shown};
 use super::inputs::Inputs;
 use super::layers::{Files, Layers};
 use super::output::{self, Output};
+use raywalk::files::escape_hidden;
 use raywalk::render::digits::{Summary, false_colors};
 use raywalk::render::export::{self, Clipped, EncodeError, Encoded, Format};
 use raywalk::render::layers::Layer;
@@ -100,7 +101,7 @@ impl Place {
         let Encoded { bytes, clipped } = encoded.map_err(cannot_encode)?;
         // The layers first: where the picture is, they are.
         if let Canvas::Layers(film) = rendered {
-            self.files.write(film, how.objects)?;
+            self.files.write(film, how.objects, &how.output)?;
         }
         self.output.commit(&bytes)?;
         if let (Some(text), false) = (of_clipped(&clipped, rendered.count()), how.is_quiet) {
@@ -115,6 +116,11 @@ impl Place {
             && film.pixels().iter().all(|seen| seen.error.is_none())
         {
             output::tell("note: layer error: a single sample has no error, and no pixel has more");
+        }
+        if let (Canvas::Layers(film), Some(layers), false) = (rendered, &self.layers, how.is_quiet) {
+            for name in layers.empty(film) {
+                output::tell(&format!("note: layer {}: no pixel has it", escape_hidden(&name)));
+            }
         }
         Ok(Written { clipped_pixels: clipped.pixels })
     }

@@ -21,6 +21,7 @@ use raywalk::files::escape_hidden;
 use raywalk::log::Shard;
 use raywalk::record::Arithmetic;
 use raywalk::render::export::Format;
+use raywalk::render::layers::Planes;
 use raywalk::render::statistics::{Seconds, Statistics};
 use raywalk::render::{Canvas, Counter, Job, RenderError, Rendered, Settings, TileOrder, render_job};
 use raywalk::scene::Scene;
@@ -46,8 +47,11 @@ pub struct Render {
     #[arg(long)]
     digits: bool,
     /// Also write what each pixel costs and sees: rays, tests, depth, normal, object, samples, error (the standard error
-    /// estimated from its samples), time; several with commas between them, or all. In .exr they are channels such as depth.Z;
-    /// with .png each has a file of its own, such as out.depth.png, in false colours with a legend
+    /// estimated from its samples), time; several with commas between them, or all. Also by name: value:KEY@PATH, a quantity of
+    /// the log at a path such as `value:shade.n_dot_l@C R`; light:NAME, what a light brings (light:ambient, light:background;
+    /// light:all for each); class:PATTERN, what the paths of a class bring, such as class:LDSE or class:L(D|S)S*E (class:all for
+    /// each). In .exr they are channels such as depth.Z; with .png each has a file of its own, such as out.depth.png, in false
+    /// colours with a legend
     #[arg(long, value_name = "LAYER,…", conflicts_with_all = ["digits", "stats"])]
     layers: Option<Layers>,
     /// The frames of an animation, the last inclusive; #### in the picture's name becomes the frame's number
@@ -79,6 +83,10 @@ struct Task {
     inputs: Inputs,
     /// Where it goes.
     path: PathBuf,
+    /// The layers beside it, as the scene has them.
+    layers: Option<Layers>,
+    /// Those of them that are asked for by name.
+    planes: Planes,
 }
 
 impl Render {
@@ -139,7 +147,9 @@ impl Render {
             counts_rays: self.stats.is_some(),
             order: TileOrder::Rows,
         };
-        let task = Task { scene, settings, inputs, path: frame.path.clone() };
+        let layers = self.layers.as_ref().map(|layers| layers.in_scene(&scene)).transpose()?;
+        let planes = layers.as_ref().map_or_else(|| Ok(Planes::default()), |layers| layers.planes(&scene))?;
+        let task = Task { scene, settings, inputs, path: frame.path.clone(), layers, planes };
         match self.format()? {
             Some(format) if !self.resume => self.whole_picture(&task, format, seconds).map(|()| None),
             Some(format) => self.resumed_picture(&task, format).map(Some),
@@ -160,18 +170,19 @@ impl Render {
     }
 
     /// The picture of colours, of digits, or with layers.
-    fn rendered(&self, Task { scene, settings, .. }: &Task) -> Result<Rendered<Canvas>, Failure> {
+    fn rendered(&self, task: &Task) -> Result<Rendered<Canvas>, Failure> {
+        let Task { scene, settings, .. } = task;
         let [left, top, right, bottom] = settings.crop;
         let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
         let (advance, never) = (|pixels| progress.advance(pixels), AtomicBool::new(false));
-        let rendered = render_job(self.job()?, scene, settings, advance, &never);
+        let rendered = render_job(self.job(task)?, scene, settings, advance, &never);
         progress.finish();
         rendered.map_err(|error| failed(&error))
     }
 
-    fn job(&self) -> Result<Job, Failure> {
-        Ok(match (&self.layers, self.digits_seed()?) {
-            (Some(_), _) => Job::Layers,
+    fn job(&self, task: &Task) -> Result<Job, Failure> {
+        Ok(match (&task.layers, self.digits_seed()?) {
+            (Some(_), _) => Job::Layers(task.planes.clone()),
             (None, Some(seed)) => Job::Digits { seed },
             (None, None) => Job::Colors,
         })
@@ -179,7 +190,7 @@ impl Render {
 
     fn place(&self, task: &Task, format: Format) -> Result<Place, Failure> {
         let [left, top, right, bottom] = task.settings.crop;
-        Place::create(&task.path, format, [right - left, bottom - top], self.layers.as_ref(), &task.inputs)
+        Place::create(&task.path, format, [right - left, bottom - top], task.layers.as_ref(), &task.inputs)
     }
 
     fn shown<'s>(&self, task: &Task, objects: &'s [String]) -> Shown<'s> {

@@ -9,6 +9,7 @@ pub mod file;
 pub mod formula;
 pub mod header;
 pub(crate) mod name;
+pub mod plane;
 pub(crate) mod rounding;
 pub mod schema;
 pub mod scope;

@@ -41,7 +41,7 @@ pub trait Alteration {
 }
 
 impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
-    forward!(self => Probe of self.probe; given mark bounds_tested rays_saved);
+    forward!(self => Probe of self.probe; given mark bounds_tested rays_saved sees_parts part);
 
     fn note<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
         let altered = self.alteration.alter(name, value);

@@ -1,7 +1,9 @@
 //! Any probe behind a pointer: one compiled tracer for all the probes that needn't hurry.
 
 use super::{Probe, Quantity, Saving, forward};
+use crate::log::plane::Emitter;
 use crate::log::{Decision, Name, Step, Value};
+use glam::DVec3;
 
 /// Hands all on to a probe whose type is erased, and goes on with what that returns.
 ///
@@ -10,13 +12,14 @@ use crate::log::{Decision, Name, Step, Value};
 pub struct Erased<'p> {
     probe: &'p mut dyn Methods,
     decimals_of_products: Option<u32>,
+    sees_parts: bool,
 }
 
 impl<'p> Erased<'p> {
     /// The same probe with its type erased.
     pub fn of<P: Probe>(probe: &'p mut P) -> Erased<'p> {
-        let decimals_of_products = probe.decimals_of_products();
-        Erased { probe, decimals_of_products }
+        let (decimals_of_products, sees_parts) = (probe.decimals_of_products(), probe.sees_parts());
+        Erased { probe, decimals_of_products, sees_parts }
     }
 }
 
@@ -30,6 +33,7 @@ trait Methods {
     fn slack(&self, size: f64) -> f64;
     fn fallback(&mut self);
     fn rays_saved(&mut self, why: Saving, rays: u64);
+    fn part(&mut self, emitter: Emitter, color: DVec3);
     fn aim(&mut self, place: [f64; 2]);
     fn aimed(&mut self);
     fn enter(&mut self, step: Step);
@@ -37,25 +41,25 @@ trait Methods {
 }
 
 impl<P: Probe> Methods for P {
-    forward!(self => Probe of *self; mark bounds_tested certifies slack fallback rays_saved aim aimed enter leave);
+    forward!(self => Probe of *self; mark bounds_tested certifies slack fallback rays_saved part aim aimed enter leave);
 
     fn given(&mut self, name: Name, value: Value) {
         match value {
             Value::Number(number) => Probe::given(self, name, number),
-            Value::Triple(triple) => Probe::given(self, name, glam::DVec3::from(triple)),
+            Value::Triple(triple) => Probe::given(self, name, DVec3::from(triple)),
         }
     }
 
     fn note(&mut self, name: Name, value: Value) -> Value {
         match value {
             Value::Number(number) => Probe::note(self, name, number).value(),
-            Value::Triple(triple) => Probe::note(self, name, glam::DVec3::from(triple)).value(),
+            Value::Triple(triple) => Probe::note(self, name, DVec3::from(triple)).value(),
         }
     }
 }
 
 impl Probe for Erased<'_> {
-    forward!(self => Methods of *self.probe; mark bounds_tested certifies slack fallback rays_saved aim aimed enter leave);
+    forward!(self => Methods of *self.probe; mark bounds_tested certifies slack fallback rays_saved part aim aimed enter leave);
 
     fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
         self.probe.given(name, value.value());
@@ -69,6 +73,10 @@ impl Probe for Erased<'_> {
 
     fn decimals_of_products(&self) -> Option<u32> {
         self.decimals_of_products
+    }
+
+    fn sees_parts(&self) -> bool {
+        self.sees_parts
     }
 }
 

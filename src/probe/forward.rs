@@ -43,6 +43,16 @@ macro_rules! forward {
             $trait::rays_saved(&mut $to, why, rays);
         }
     };
+    (@sees_parts $this:ident $trait:ident $to:expr) => {
+        fn sees_parts(&$this) -> bool {
+            $trait::sees_parts(&$to)
+        }
+    };
+    (@part $this:ident $trait:ident $to:expr) => {
+        fn part(&mut $this, emitter: $crate::log::plane::Emitter, color: glam::DVec3) {
+            $trait::part(&mut $to, emitter, color);
+        }
+    };
     (@aim $this:ident $trait:ident $to:expr) => {
         fn aim(&mut $this, place: [f64; 2]) {
             $trait::aim(&mut $to, place);

@@ -25,6 +25,7 @@ pub use ray_tree::{RayTree, is_same};
 pub use recorder::{CutOff, Outlet, Recorder, until_cut_off};
 pub use silent::Silent;
 
+use crate::log::plane::Emitter;
 use crate::log::{Decision, Name, SkipReason, Step, Value};
 use glam::DVec3;
 
@@ -96,6 +97,17 @@ pub trait Probe: Sized {
     /// This many rays aren't traced, or not searched for what they hit. It is counted, not logged: the log has the decision.
     #[inline(always)]
     fn rays_saved(&mut self, _why: Saving, _rays: u64) {}
+
+    /// Whether [`Probe::part`] is called.
+    #[inline(always)]
+    fn sees_parts(&self) -> bool {
+        false
+    }
+
+    /// A part of the light that the open ray brings to its own end, before the weights on the ray's way: all parts of a ray and of those that it
+    /// spawns, weighted as their sums are, add up to its colour. It is neither altered nor logged: the log has what it follows from.
+    #[inline(always)]
+    fn part(&mut self, _emitter: Emitter, _color: DVec3) {}
 
     /// The ray through this place of the picture begins, in pixels from its top left corner.
     #[inline(always)]

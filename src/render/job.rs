@@ -1,12 +1,12 @@
 //! What can be rendered of each pixel.
 
-use super::layers::{Layered, PixelFacts, layers};
+use super::layers::{Layered, PixelFacts, Planes, layers};
 use super::task::Task;
 use super::{BYTES_PER_PIXEL, Counter, Film, RenderError, colors, digits::digits};
 use raywalk_guard::has_room_for;
 
 /// What is rendered of each pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Job {
     /// Its colour.
     Colors,
@@ -17,8 +17,8 @@ pub enum Job {
         seed: u64,
     },
     /// Its colour with what it costs and sees: the same colours, bit for bit. Where pixels share samples, each traces its own, as its log
-    /// does, and costs what it would cost by itself.
-    Layers,
+    /// does, and costs what it would cost by itself. Planes are layers that are asked for by name; with them it takes longer.
+    Layers(Planes),
 }
 
 /// What was rendered: a picture, or a piece of one.
@@ -34,36 +34,60 @@ pub enum Canvas {
 
 impl Job {
     /// Renders a picture or a piece of one; `None` when the work is to stop.
-    pub(super) fn run(self, task: &Task) -> Option<(Canvas, Counter)> {
+    pub(super) fn run(&self, task: &Task) -> Option<(Canvas, Counter)> {
         Some(match self {
             Job::Colors => colors(task).map(|(film, counter)| (Canvas::Colors(film), counter))?,
-            Job::Digits { seed } => digits(task, seed).map(|(film, counter)| (Canvas::Digits(film), counter))?,
-            Job::Layers => layers(task).map(|(film, counter)| (Canvas::Layers(film), counter))?,
+            Job::Digits { seed } => digits(task, *seed).map(|(film, counter)| (Canvas::Digits(film), counter))?,
+            Job::Layers(planes) => layers(task, planes).map(|(film, counter)| (Canvas::Layers(film), counter))?,
         })
     }
 
     /// Makes sure, as far as possible, that there is memory for a picture: in the middle of the work a failure could only abort.
-    pub(super) fn ask_for_memory(self, [left, top, right, bottom]: [u32; 4]) -> Result<(), RenderError> {
-        let (width, height) = (right - left, bottom - top);
-        let of_pixel = BYTES_PER_PIXEL + if self == Job::Layers { size_of::<PixelFacts>() } else { 0 };
-        let bytes = (width as usize).checked_mul(height as usize).and_then(|pixels| pixels.checked_mul(of_pixel));
-        let is_there = bytes.is_some_and(has_room_for);
-        if is_there { Ok(()) } else { Err(RenderError::Memory(width, height)) }
+    pub(super) fn ask_for_memory(&self, crop: [u32; 4]) -> Result<(), RenderError> {
+        let beside = match self {
+            Job::Layers(planes) => bytes_of_layers(planes.numbers()),
+            Job::Colors | Job::Digits { .. } => 0,
+        };
+        is_room(crop, beside)
     }
 }
 
+/// The bytes of a pixel's layers.
+fn bytes_of_layers(numbers: usize) -> usize {
+    size_of::<PixelFacts>() + numbers * size_of::<f64>()
+}
+
+/// Whether there is memory for a picture with this much beside each pixel.
+fn is_room([left, top, right, bottom]: [u32; 4], beside: usize) -> Result<(), RenderError> {
+    let (width, height) = (right - left, bottom - top);
+    let pixels = (width as usize).checked_mul(height as usize);
+    let bytes = pixels.and_then(|pixels| pixels.checked_mul(BYTES_PER_PIXEL + beside));
+    if bytes.is_some_and(has_room_for) { Ok(()) } else { Err(RenderError::Memory(width, height)) }
+}
+
 impl Canvas {
-    /// An empty one for a rectangle of pixels.
+    /// An empty one for the colours of a rectangle of pixels.
     ///
     /// # Errors
     /// [`RenderError::Memory`].
-    pub fn new(crop: [u32; 4], job: Job) -> Result<Canvas, RenderError> {
-        job.ask_for_memory(crop)?;
-        Ok(match job {
-            Job::Colors => Canvas::Colors(Film::new(crop)),
-            Job::Digits { .. } => Canvas::Digits(Film::new(crop)),
-            Job::Layers => Canvas::Layers(Film::new(crop)),
-        })
+    pub fn colors(crop: [u32; 4]) -> Result<Canvas, RenderError> {
+        is_room(crop, 0).map(|()| Canvas::Colors(Film::new(crop)))
+    }
+
+    /// The same for their digits.
+    ///
+    /// # Errors
+    /// [`RenderError::Memory`].
+    pub fn digits(crop: [u32; 4]) -> Result<Canvas, RenderError> {
+        is_room(crop, 0).map(|()| Canvas::Digits(Film::new(crop)))
+    }
+
+    /// The same for their layers, with this many numbers of planes a pixel.
+    ///
+    /// # Errors
+    /// [`RenderError::Memory`].
+    pub fn layers(crop: [u32; 4], numbers: usize) -> Result<Canvas, RenderError> {
+        is_room(crop, bytes_of_layers(numbers)).map(|()| Canvas::Layers(Layered::new(crop, numbers)))
     }
 
     /// Puts a piece of the picture in its place; what isn't of this kind is ignored.
@@ -72,7 +96,7 @@ impl Canvas {
             (Canvas::Colors(film), Canvas::Colors(piece)) | (Canvas::Digits(film), Canvas::Digits(piece)) => {
                 film.put(piece.area(), piece.pixels());
             }
-            (Canvas::Layers(film), Canvas::Layers(piece)) => film.put(piece.area(), piece.pixels()),
+            (Canvas::Layers(film), Canvas::Layers(piece)) => film.put(piece),
             _ => {}
         }
     }

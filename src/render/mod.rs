@@ -111,7 +111,7 @@ pub fn render(
     progress: impl Fn(u64) + Sync,
     stop: &AtomicBool,
 ) -> Result<Rendered, RenderError> {
-    on_threads(Job::Colors, &Task { scene, settings, progress: &progress, stop }, colors)
+    on_threads(&Job::Colors, &Task { scene, settings, progress: &progress, stop }, colors)
 }
 
 /// Renders something of each pixel, as [`render`] does its colour.
@@ -125,12 +125,12 @@ pub fn render_job(
     progress: impl Fn(u64) + Sync,
     stop: &AtomicBool,
 ) -> Result<Rendered<Canvas>, RenderError> {
-    on_threads(job, &Task { scene, settings, progress: &progress, stop }, |task| job.run(task))
+    on_threads(&job, &Task { scene, settings, progress: &progress, stop }, |task| job.run(task))
 }
 
 /// Does the work on the threads that the settings ask for.
 fn on_threads<T: Send>(
-    job: Job,
+    job: &Job,
     task: &Task,
     work: impl FnOnce(&Task) -> Option<(T, Counter)> + Send,
 ) -> Result<Rendered<T>, RenderError> {

@@ -36,7 +36,7 @@ pub fn pieces_of(crop: [u32; 4], shard: Shard) -> impl Iterator<Item = (u32, [u3
 pub fn render_pieces(
     scene: &Scene,
     settings: &Settings,
-    job: Job,
+    job: &Job,
     pieces: &[(u32, [u32; 4])],
     done: impl FnMut(u32, Canvas) -> io::Result<()> + Send,
     stop: &AtomicBool,

@@ -1,7 +1,8 @@
 //! A picture that is coarse at first and grows finer, with what else is known of its pixels.
 
+use super::layers::{Planes, Watched};
 use crate::log::{Name, RayKind, Step};
-use crate::probe::{Probe, Quantity};
+use crate::probe::{Erased, Probe, Quantity};
 use crate::record::{Arithmetic, Computation, Pixel};
 use crate::sampling;
 use crate::scene::{Color, Scene};
@@ -37,6 +38,25 @@ pub fn rough_dot(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Dot 
     Dot { color, depth, rays: gauge.rays, samples: 1 }
 }
 
+/// The dot of a pixel with the numbers of planes; what one ray through its middle says of it, if it is rough.
+pub fn named_dot(
+    scene: &Scene,
+    pixel: [u32; 2],
+    arithmetic: Arithmetic,
+    planes: &Planes,
+    is_rough: bool,
+) -> (Dot, Vec<f64>) {
+    let mut watched = Watched::new(PreviewProbe::default(), planes);
+    let (erased, pixel) = (Erased::of(&mut watched), Pixel { scene, pixel });
+    let color = match is_rough {
+        true => arithmetic.run(erased, Center(pixel)).0,
+        false => arithmetic.run(erased, pixel).0,
+    };
+    let (gauge, numbers) = watched.finish();
+    let depth = gauge.first_hit.map(|point| (point - scene.camera.position()).length());
+    (Dot { color, depth, rays: gauge.rays, samples: gauge.samples.max(1) }, numbers)
+}
+
 /// The computation of one ray of a pixel.
 #[derive(Clone, Copy)]
 struct Center<'s>(Pixel<'s>);
@@ -53,8 +73,12 @@ impl Computation for Center<'_> {
 
 /// The dots of these pixels, in their order.
 pub fn dots(scene: &Scene, pixels: Vec<[u32; 2]>, arithmetic: Arithmetic) -> Vec<Dot> {
-    let dot = |pixel| dot(scene, pixel, arithmetic);
-    Threads::of(wanted(), pixels.len()).run(|| pixels.into_par_iter().map(dot).collect())
+    all_dots(pixels, |pixel| dot(scene, pixel, arithmetic))
+}
+
+/// Something of these pixels, in their order.
+pub fn all_dots<T: Send>(pixels: Vec<[u32; 2]>, of_pixel: impl Fn([u32; 2]) -> T + Sync + Send) -> Vec<T> {
+    Threads::of(wanted(), pixels.len()).run(|| pixels.into_par_iter().map(of_pixel).collect())
 }
 
 /// By how much single precision misses the colour of a pixel, in the worst channel.

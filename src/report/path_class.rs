@@ -6,7 +6,7 @@
 //! directions; direct light, which comes from no surface, is scattered as in b. For all of a and the rest of b is the
 //! ambient light, A. What leaves the scene gets the background, B.
 
-use super::number::superscript;
+use crate::log::plane::class_word;
 use crate::log::{Decision, Log, RayKind, Tree, What};
 
 /// How the last surface before the bounces, the first after the light, scatters.
@@ -27,7 +27,6 @@ pub enum Source {
 
 /// The class of a path that bounces so often, such as `LDSE`.
 pub fn notation(source: Source, bounces: usize) -> String {
-    const FEW: usize = 3;
     let source = match source {
         Source::Light { diffuse: true, specular: true } => "L(D|S)",
         Source::Light { diffuse: true, .. } => "LD",
@@ -35,8 +34,7 @@ pub fn notation(source: Source, bounces: usize) -> String {
         Source::Ambient => "A",
         Source::Background => "B",
     };
-    let bounces = if bounces <= FEW { "S".repeat(bounces) } else { format!("S{}", superscript(bounces as i32)) };
-    format!("{source}{bounces}E")
+    class_word(source, bounces)
 }
 
 /// The ways of figure 14 that light goes on such a path, from surface to surface.

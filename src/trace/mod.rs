@@ -26,6 +26,7 @@ pub(crate) use visibility::all_crossings;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
 
 use crate::geometry::{Intersect, Leaving, Nearest, PACKET, PerRay, Ray, Surface};
+use crate::log::plane::Emitter;
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Route};
@@ -231,6 +232,9 @@ fn seen_at<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, nearest: Nearest, pr
 fn nothing_met<P: Probe>(scene: &Scene, probe: &mut P) -> Seen {
     probe.given(Name::BackgroundColor, scene.background);
     probe.mark(Decision::Background);
+    if probe.sees_parts() {
+        probe.part(Emitter::Background, scene.background);
+    }
     Seen { color: scene.background, object: None }
 }
 

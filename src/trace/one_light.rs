@@ -4,6 +4,7 @@
 use super::visibility::{Obstacles, transmittance_among};
 use super::{Meeting, unseen};
 use crate::geometry::Ray;
+use crate::log::plane::Emitter;
 use crate::log::{Decision, Name, RayKind, SkipReason, Step, Term};
 use crate::probe::{Probe, Saving};
 use crate::scene::{Arrival, Color, Formulas, Light, Material, Scene, Specular};
@@ -59,11 +60,27 @@ pub(super) fn from_light<P: Probe>(
     let directions = Directions { normal, view, light: arrival.direction };
     let arriving = source.light.faded(source.color, arrival.distance, probe) * passed;
     let reflectance = if is_in_front {
-        material.diffuse * cosine(n_dot_l) + specular(scene, material, &directions, n_dot_l, probe)
+        let diffuse = material.diffuse * cosine(n_dot_l);
+        let specular = specular(scene, material, &directions, n_dot_l, probe);
+        show_parts(source, arriving, [diffuse, specular], probe);
+        diffuse + specular
     } else {
-        transmission(scene, meeting, &directions, probe)
+        let transmitted = transmission(scene, meeting, &directions, probe);
+        show_parts(source, arriving, [Color::ZERO, transmitted], probe);
+        transmitted
     };
     arriving * reflectance
+}
+
+/// Shows a probe that wants to see it what of a light is scattered diffusely, and what is not.
+#[inline(always)]
+fn show_parts<P: Probe>(source: &Source, arriving: Color, reflectances: [Color; 2], probe: &mut P) {
+    if !probe.sees_parts() {
+        return;
+    }
+    for (is_diffuse, reflectance) in [true, false].into_iter().zip(reflectances) {
+        probe.part(Emitter::Light { light: source.number, is_diffuse }, arriving * reflectance);
+    }
 }
 
 /// The contribution of a light without a shadow ray, by this rule: nothing.

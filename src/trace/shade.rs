@@ -2,6 +2,7 @@
 
 use super::one_light::{Source, from_light};
 use super::{Meeting, in_range, light_points, pattern, unseen};
+use crate::log::plane::Emitter;
 use crate::log::{Decision, Name, Step, Term};
 use crate::probe::{Probe, Saving};
 use crate::scene::{Checker, Color, LightKind, Material, Scene, Specular};
@@ -30,6 +31,9 @@ fn from_all_lights<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) ->
         probe.given(Name::MaterialAmbient, material.ambient);
     }
     let ambient = scene.ambient * material.ambient;
+    if probe.sees_parts() {
+        probe.part(Emitter::Ambient, ambient);
+    }
     if scene.tracing.shades_ambient_only(meeting.path.level) {
         return probe.note(Name::ShadeLocalAmbient, ambient);
     }

@@ -5,7 +5,7 @@ use super::keys::Walk;
 use super::model::list::Kind;
 use super::model::prompt::Purpose;
 use super::model::{Model, breakpoint};
-use super::{bookmarks, breakpoints, edit, jumps, search, understanding, walk};
+use super::{bookmarks, breakpoints, edit, jumps, plane, search, understanding, walk};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
 use crate::report::Style;
@@ -39,6 +39,7 @@ enum Argument {
     Name,
     MaybeName,
     Decimals,
+    Plane,
 }
 
 impl Argument {
@@ -62,6 +63,7 @@ impl Argument {
             Argument::Number => texts.number,
             Argument::Name | Argument::MaybeName => texts.name,
             Argument::Decimals => "N",
+            Argument::Plane => texts.plane,
         }
     }
 }
@@ -108,6 +110,7 @@ const COMMANDS: &[Command] = &[
     Command { name: LANG, argument: Argument::Language, run: language },
     Command { name: "mouse", argument: Argument::Nothing, run: |model, _| go(model, Walk::Mouse) },
     Command { name: "note", argument: Argument::Note, run: bookmarks::note },
+    Command { name: plane::PICTURE, argument: Argument::Plane, run: plane::run },
     Command { name: "pixel", argument: Argument::Pixel, run: pixel },
     Command { name: "play", argument: Argument::Nothing, run: |model, _| go(model, Walk::Play) },
     Command { name: "quit", argument: Argument::Nothing, run: |_, _| Ok(Effect::Leave(Exit::Quit)) },
@@ -336,6 +339,7 @@ pub(super) fn completions(model: &Model, purpose: Purpose, text: &str) -> Vec<St
         (Purpose::Break, _) => of_break("", text),
         (Purpose::Command, Some(condition)) => of_break("break ", condition),
         (Purpose::Command, None) if is_of_parameter(text) => Vec::new(),
+        (Purpose::Command, None) if plane::is_typed(text) => plane::completions(model, text),
         (Purpose::Command, None) => {
             let begun = COMMANDS.iter().filter(|command| command.name.starts_with(text));
             let gap = |command: &Command| if command.argument == Argument::Nothing { "" } else { " " };

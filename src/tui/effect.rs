@@ -1,6 +1,7 @@
 //! What an action leaves to be done outside of the model.
 
 use super::model::jumps::Spot;
+use crate::log::plane::Plane;
 
 /// What is left to do outside the model.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,6 +38,8 @@ pub enum Effect {
     Keep,
     /// Open the scene in an editor, where it has this object.
     Edit(Option<u32>),
+    /// Render what of the pixels has this name.
+    Picture(Plane),
     /// Complete the path of a parameter or of a file in the line that is being typed.
     Complete,
 }

@@ -10,7 +10,9 @@ use super::model::layout::Layout;
 use super::model::list::Kind;
 use super::model::picture::{Image, PictureView, Wanted};
 use super::model::{Model, Pane};
-use super::{bookmarks, jumps, prompt, quiz, search, understanding};
+use super::{bookmarks, jumps, plane, prompt, quiz, search, understanding};
+use crate::files::suggest;
+use crate::log::plane::Plane;
 use crate::log::tree::Place;
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style;
@@ -30,6 +32,11 @@ pub trait Live {
     /// The picture as far as it is there, if there is more of it than when it was asked for last; waits for what is wanted.
     fn picture(&mut self, _wanted: Wanted) -> Option<Arc<Image>> {
         None
+    }
+
+    /// Has the picture rendered anew with what of the pixels has a name.
+    fn show(&mut self, _plane: &Plane) -> Result<(), Refusal> {
+        Err(Refusal::NoScene)
     }
 
     /// The scene as lines.
@@ -148,6 +155,10 @@ pub enum Refusal {
     NotOurs(String),
     /// A file has been changed by another program.
     ChangedMeanwhile(String),
+    /// The scene has no such light; those it has.
+    NoLight(String, Vec<String>),
+    /// No path is of the class; the classes there can be.
+    NoClass(String, Vec<String>),
     /// Another reason, in the words of who has it.
     Other(String),
 }
@@ -173,6 +184,11 @@ impl Refusal {
             Refusal::OnlyOfLogs => messages.only_of_logs.to_owned(),
             Refusal::NotOurs(path) => (messages.not_ours)(&plain(path)),
             Refusal::ChangedMeanwhile(path) => (messages.changed_meanwhile)(&plain(path)),
+            Refusal::NoLight(name, known) => {
+                let near = suggest(name, known.iter().map(String::as_str)).unwrap_or_default();
+                (messages.no_light)(&plain(name), &plain(near), &plain(&known.join(", ")))
+            }
+            Refusal::NoClass(class, known) => (messages.no_class)(&plain(class), &plain(&known.join(", "))),
             Refusal::Other(why) => why.clone(),
         }
     }
@@ -212,6 +228,10 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
             let written = live.export(&model.log, &path, model.language, model.numbers);
             written.map(|()| model.say(&(model.texts().messages.written)(&plain(&path))))
         }
+        (Effect::Picture(plane), Some(live)) => live.show(&plane).map(|()| {
+            look(model, &mut Some(&mut **live), Wanted::Latest);
+            plane::is_shown(model);
+        }),
         (Effect::Complete, Some(live)) => {
             if prompt::is_of_file(model) {
                 prompt::complete_file(model, |beginning| live.files(beginning));

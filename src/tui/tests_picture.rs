@@ -30,8 +30,8 @@ impl Live for Fake {
         for (number, dot) in image.dots.iter_mut().enumerate() {
             let (x, y) = ((number % 8) as f64, (number / 8) as f64);
             let color = [20.0 * x, 30.0 * y, 100.0];
-            *dot =
-                Some(Dot { color, depth: Some(x), rays: number as u32, samples: 1, error: Some(0.0), is_rough: false });
+            let (depth, rays, error) = (Some(x), number as u32, Some(0.0));
+            *dot = Some(Dot { color, depth, rays, samples: 1, error, ..Dot::default() });
         }
         Some(Arc::new(image))
     }
@@ -281,7 +281,7 @@ fn asks_for(keys: &str, pixel: [u32; 2]) {
             rays: 1,
             samples: 1,
             error: Some(value * 1e-9),
-            is_rough: false,
+            ..Dot::default()
         });
     }
     model.picture = Some(PictureView::new(Arc::new(image), [200, 150]));

@@ -8,7 +8,7 @@ use crate::support;
 use exr::prelude::*;
 use raywalk::log::{Decision, What};
 use raywalk::record::{self, Arithmetic};
-use raywalk::render::layers::{Layer, Layered};
+use raywalk::render::layers::{Layer, Layered, Planes};
 use raywalk::render::{Canvas, Job, Settings, TileOrder, render, render_job};
 use raywalk::scene::{Sampling, Scene};
 use std::fs;
@@ -23,7 +23,7 @@ fn settings() -> Settings {
 
 fn layered(scene: &Scene, crop: [u32; 4]) -> Layered {
     let settings = Settings { crop, ..settings() };
-    match render_job(Job::Layers, scene, &settings, |_| (), &AtomicBool::new(false)).unwrap().film {
+    match render_job(Job::Layers(Planes::default()), scene, &settings, |_| (), &AtomicBool::new(false)).unwrap().film {
         Canvas::Layers(layered) => layered,
         other => panic!("layers, not {other:?}"),
     }
@@ -149,6 +149,66 @@ fn png_files_of_layers_stand_beside_the_picture() {
     says(2, &["render", "textbook", "-o", "x.pfm", "--layers", "depth"], "expected a picture in .exr");
     says(2, &["render", "textbook", "-o", "x.png", "--layers", "deep"], "unknown layer `deep`");
     says(2, &["render", "textbook", "-o", "x.png", "--layers", "depth,depth"], "occurs twice");
+}
+
+/// What is asked for by name is in channels of its own, the same from shards, and `diff` names what differs.
+#[test]
+fn layers_by_name_go_through_files_and_parts() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let layers = "value:shade.n_dot_l@C,value:hit.point,light:all,class:L(D|S)S*E";
+    let call = ["render", "textbook", "--quiet", "--crop", "140,100,190,140", "--layers", layers, "-o"];
+    prints(&[&call[..], &[&path("whole.exr")]].concat());
+    for shard in ["1/2", "2/2"] {
+        let part = path(&format!("{}.part", &shard[..1]));
+        prints(&[&call[..], &[&part, "--shard", shard]].concat());
+    }
+    prints(&["merge", &path("1.part"), &path("2.part"), "--quiet", "-o", &path("merged.exr")]);
+    assert!(fs::read(path("whole.exr")).unwrap() == fs::read(path("merged.exr")).unwrap());
+    let values = channel(Path::new(&path("whole.exr")), "value-shade-n_dot_l-C.value");
+    let scene = support::scene("textbook");
+    let mut hits = 0;
+    for (at, value) in values.iter().enumerate().step_by(37) {
+        let pixel = [140 + at as u32 % 50, 100 + at as u32 / 50];
+        let log = record::pixel(&scene, pixel, Arithmetic::F64);
+        let tree = raywalk::log::Tree::of(&log.events);
+        let of_camera = log.events.iter().enumerate().find_map(|(event, what)| match what.noted()? {
+            (name, raywalk::log::Value::Number(number)) if name.key() == "shade.n_dot_l" => {
+                (tree.path(tree.owner(event)) == "C").then_some(number as f32)
+            }
+            _ => None,
+        });
+        hits += usize::from(of_camera.is_some());
+        assert_eq!(Some(*value).filter(|value| !value.is_nan()), of_camera, "{pixel:?}");
+    }
+    assert!(hits > 5, "{hits}");
+    let colors = channel(Path::new(&path("whole.exr")), "R");
+    let lights: Vec<_> = scene.lights.iter().map(|light| format!("light-{}.R", light.name)).collect();
+    let parts = lights.iter().map(String::as_str).chain(["light-ambient.R", "light-background.R"]);
+    let parts: Vec<_> = parts.map(|name| channel(Path::new(&path("whole.exr")), name)).collect();
+    for (at, color) in colors.iter().enumerate() {
+        let sum: f32 = parts.iter().map(|part| part[at]).sum();
+        assert!((sum - color).abs() <= 1e-5 * color.abs().max(1.0), "{sum} {color}");
+    }
+    prints(&[&call[..], &[&path("other.exr"), "--arithmetic", "decimal:3"]].concat());
+    let output = raywalk(&["diff", &path("whole.exr"), &path("other.exr")]).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("layer value-shade-n_dot_l-C: "), "{text}");
+    let same = raywalk(&["diff", &path("whole.exr"), &path("merged.exr")]).output().unwrap();
+    assert_eq!(same.status.code(), Some(0));
+}
+
+#[test]
+fn layers_that_are_not_there_are_refused_with_what_there_is() {
+    let refused =
+        |layers: &str, expected: &str| says(2, &["render", "textbook", "-o", "x.exr", "--layers", layers], expected);
+    refused("value:shade.n_dotl", "did you mean `shade.n_dot_l`?");
+    refused("value:hit.point@C X", "`C X` is no path, expected C and then R or T");
+    refused("light:lampp", "unknown light `lampp`");
+    refused("class:LDDE", "no path is of the class LDDE; here there are LDE, LSE, AE, BE");
+    refused("class:l", "is no class of paths");
+    refused("light:all,light:ambient", "the layer `light:ambient` occurs twice");
+    refused("depht", "unknown layer `depht`, did you mean `depth`?");
 }
 
 /// A picture of errors that are all unknown is grey throughout; the program says why.

@@ -29,6 +29,7 @@ mod log_spellings;
 mod notes;
 mod overflow;
 mod pinned;
+mod planes;
 mod read_back;
 mod refraction;
 mod regions;

@@ -12,6 +12,7 @@ mod beside;
 mod configuration;
 mod frames;
 mod pictures;
+mod planes;
 mod questions;
 #[cfg(unix)]
 mod saved;

@@ -33,7 +33,7 @@ impl Live for Example {
             rays: 3,
             samples: 1,
             error: Some(1.5e-7),
-            is_rough: false,
+            ..Dot::default()
         }));
         Some(Arc::new(image))
     }

@@ -12,9 +12,11 @@ use crate::cli::textbook::scene_of;
 use glam::DVec3;
 use notes::Notebook;
 use picture::Rendering;
+use raywalk::log::plane::Plane;
 use raywalk::log::{Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
+use raywalk::render::layers::{NoPlane, Planes};
 use raywalk::report::Style;
 use raywalk::report::causes::Study;
 use raywalk::report::language::Language;
@@ -34,16 +36,29 @@ pub struct Session {
     is_still: bool,
     /// The picture; begun when somebody wants to see it.
     rendering: Option<Rendering>,
+    /// What of it was asked for by name.
+    plane: Option<Plane>,
 }
 
 impl Session {
     /// The session of a scene. That of a still viewer renders nothing but what is seen in the end.
     pub fn new(scene: Scene, workbench: Workbench, is_still: bool) -> Session {
-        Session { scene: Arc::new(scene), workbench, is_still, rendering: None }
+        Session { scene: Arc::new(scene), workbench, is_still, rendering: None, plane: None }
     }
 
     fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, Refusal> {
         log_of(&self.scene, part, arithmetic)
+    }
+
+    /// What is rendered. What was asked for by name isn't if the scene has it no more.
+    fn subject(&self) -> picture::Subject {
+        // The printed values are those of one pixel; the others are as by hand.
+        let arithmetic = match self.workbench.arithmetic() {
+            Arithmetic::Printed => Arithmetic::Decimal(3),
+            other => other,
+        };
+        let planes = self.plane.as_ref().and_then(|plane| Planes::of(&self.scene, std::slice::from_ref(plane)).ok());
+        picture::Subject { scene: Arc::clone(&self.scene), arithmetic, planes }
     }
 
     /// Goes on with another scene, and traces the same of it.
@@ -88,20 +103,29 @@ impl Live for Session {
     }
 
     fn picture(&mut self, wanted: Wanted) -> Option<Arc<Image>> {
-        let (scene, arithmetic) = (&self.scene, self.workbench.arithmetic());
-        // The printed values are those of one pixel; the others are as by hand.
-        let arithmetic = if arithmetic == Arithmetic::Printed { Arithmetic::Decimal(3) } else { arithmetic };
         match wanted {
-            Wanted::Latest if self.is_still => return Some(picture::empty(scene)),
-            Wanted::Pixels(pixels) if self.is_still => return Some(picture::of(scene, arithmetic, pixels)),
+            Wanted::Latest if self.is_still => return Some(picture::empty(&self.subject())),
+            Wanted::Pixels(pixels) if self.is_still => return Some(picture::of(&self.subject(), pixels)),
             _ => {}
         }
         let is_whole = wanted != Wanted::Latest;
-        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic, is_whole));
+        let subject = self.subject();
+        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(subject, is_whole));
         if is_whole {
             rendering.finish();
         }
         rendering.latest()
+    }
+
+    fn show(&mut self, plane: &Plane) -> Result<(), Refusal> {
+        Planes::of(&self.scene, std::slice::from_ref(plane)).map_err(|error| match error {
+            NoPlane::Light { name, known } => Refusal::NoLight(name, known),
+            NoPlane::Class { class, known } => Refusal::NoClass(class, known),
+            NoPlane::TooMany => Refusal::Other(error.to_string()),
+        })?;
+        self.plane = Some(plane.clone());
+        self.rendering = None;
+        Ok(())
     }
 
     fn drawing(&mut self) -> Option<Arc<Drawing>> {

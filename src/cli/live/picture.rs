@@ -1,10 +1,14 @@
 //! The picture that is rendered in the background while the viewer shows it.
 
+use raywalk::log::plane::Plane;
+use raywalk::log::{Unit, Value};
 use raywalk::record::Arithmetic;
+use raywalk::render::layers::Planes;
 use raywalk::render::{export, preview};
+use raywalk::report::words::plain;
 use raywalk::scene::{Sampling, Scene};
 use raywalk::threads::work_alone;
-use raywalk::tui::{COARSEST, Dot, Image};
+use raywalk::tui::{COARSEST, Dot, Image, Named, Shows};
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -16,6 +20,48 @@ const PAUSE: Duration = Duration::from_millis(100);
 
 /// How long the viewer waits for a picture where no thread can be started for it: what has been rendered by then is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// What is rendered.
+#[derive(Clone)]
+pub struct Subject {
+    pub scene: Arc<Scene>,
+    pub arithmetic: Arithmetic,
+    /// What was asked for by name: one plane.
+    pub planes: Option<Planes>,
+}
+
+impl Subject {
+    /// The dot of a pixel; what one ray through its middle says, if it is rough.
+    fn dot(&self, pixel: [u32; 2], is_rough: bool) -> Dot {
+        let Subject { scene, arithmetic, planes } = self;
+        let Some(planes) = planes else {
+            let of = if is_rough { preview::rough_dot } else { preview::dot };
+            return shown(of(scene, pixel, *arithmetic), is_rough);
+        };
+        let (dot, numbers) = preview::named_dot(scene, pixel, *arithmetic, planes, is_rough);
+        let value = match numbers[..] {
+            [x, y, z] => Value::Triple([x, y, z]),
+            _ => Value::Number(numbers.first().copied().unwrap_or(f64::NAN)),
+        };
+        let named = Some(value).filter(|value| value.components().iter().all(|x| x.is_finite()));
+        Dot { named, ..shown(dot, is_rough) }
+    }
+
+    /// What was asked for, as the viewer knows it.
+    fn named(&self) -> Option<Named> {
+        let plane = self.planes.as_ref()?.names().first()?;
+        let shows = match plane {
+            Plane::Value(value) if !value.is_triple() => Shows::Numbers,
+            Plane::Value(value) if value.name.unit() != Unit::Intensity => Shows::Triples,
+            _ => Shows::Light,
+        };
+        let title = match plane {
+            Plane::Value(value) => value.to_string(),
+            other => other.to_string(),
+        };
+        Some(Named { title: plain(&title), shows })
+    }
+}
 
 /// The thread that renders, and what it has. Dropping it ends the work.
 pub struct Rendering {
@@ -30,7 +76,8 @@ struct Shared {
 }
 
 /// The picture without any dots.
-pub fn empty(scene: &Scene) -> Arc<Image> {
+pub fn empty(subject: &Subject) -> Arc<Image> {
+    let scene = &subject.scene;
     let output = scene.output;
     let levels = move |color: [f64; 3], stops: f64| export::levels(color, &output, stops);
     let mut empty = Image::empty(scene.camera.resolution, Arc::new(levels));
@@ -38,36 +85,37 @@ pub fn empty(scene: &Scene) -> Arc<Image> {
     if output.exposure == 0.0 {
         empty.white = output.white;
     }
+    empty.named = subject.named();
     Arc::new(empty)
 }
 
 /// The picture with the dots of these pixels.
-pub fn of(scene: &Scene, arithmetic: Arithmetic, pixels: Vec<[u32; 2]>) -> Arc<Image> {
-    let mut image = Image::clone(&empty(scene));
+pub fn of(subject: &Subject, pixels: Vec<[u32; 2]>) -> Arc<Image> {
+    let mut image = Image::clone(&empty(subject));
     let numbers: BTreeSet<usize> = pixels.into_iter().map(|pixel| image.index(pixel)).collect();
-    fill_between(&mut image, &numbers, scene, arithmetic);
+    fill_between(&mut image, &numbers, subject);
     let pixel = |number: &usize| {
         [number % image.columns() as usize, number / image.columns() as usize].map(|at| at as u32 * image.step)
     };
-    let dots = preview::dots(scene, numbers.iter().map(pixel).collect(), arithmetic);
+    let dots = preview::all_dots(numbers.iter().map(pixel).collect(), |pixel| subject.dot(pixel, false));
     for (number, dot) in numbers.into_iter().zip(dots) {
-        image.dots[number] = Some(shown(dot, false));
+        image.dots[number] = Some(dot);
     }
     Arc::new(image)
 }
 
 /// Gives the other dots of the rectangle that these lie in what one ray says of each: a cell of the screen shows the mean of its dots.
-fn fill_between(image: &mut Image, numbers: &BTreeSet<usize>, scene: &Scene, arithmetic: Arithmetic) {
+fn fill_between(image: &mut Image, numbers: &BTreeSet<usize>, subject: &Subject) {
     let (columns, step) = (image.columns(), image.step);
     let places = || numbers.iter().map(|number| [*number as u32 % columns, *number as u32 / columns]);
     let Some(least) = places().reduce(|a, b| [0, 1].map(|axis| a[axis].min(b[axis]))) else { return };
     let most = places().fold(least, |a, b| [0, 1].map(|axis| a[axis].max(b[axis])));
     let place = |offset: [u32; 2]| [0, 1].map(|axis| least[axis] + offset[axis]);
-    let dot = |offset| preview::rough_dot(scene, place(offset).map(|number| number * step), arithmetic);
-    let publish = |dots: Vec<([u32; 2], preview::Dot)>| {
+    let dot = |offset| subject.dot(place(offset).map(|number| number * step), true);
+    let publish = |dots: Vec<([u32; 2], Dot)>| {
         for (offset, dot) in dots {
             let [column, row] = place(offset);
-            image.dots[(row * columns + column) as usize] = Some(shown(dot, true));
+            image.dots[(row * columns + column) as usize] = Some(dot);
         }
     };
     let grid = [0, 1].map(|axis| most[axis] - least[axis] + 1);
@@ -75,27 +123,27 @@ fn fill_between(image: &mut Image, numbers: &BTreeSet<usize>, scene: &Scene, ari
 }
 
 fn shown(preview::Dot { color, depth, rays, samples }: preview::Dot, is_rough: bool) -> Dot {
-    Dot { color: color.to_array(), depth, rays, samples, error: None, is_rough }
+    Dot { color: color.to_array(), depth, rays, samples, error: None, named: None, is_rough }
 }
 
 impl Rendering {
     /// Begins to render, on a thread of its own; the whole picture, if nothing is shown before it.
-    pub fn start(scene: Arc<Scene>, arithmetic: Arithmetic, whole: bool) -> Rendering {
-        let empty = empty(&scene);
+    pub fn start(subject: Subject, whole: bool) -> Rendering {
+        let empty = empty(&subject);
         let shared = Arc::new(Shared { latest: Mutex::new(Some(Arc::clone(&empty))), stop: AtomicBool::new(false) });
         let empty = Image::clone(&empty);
         if whole {
-            shared.render(&scene, arithmetic, empty, None);
+            shared.render(&subject, empty, None);
             return Rendering { shared, thread: None };
         }
-        let (of_thread, of_scene, image) = (Arc::clone(&shared), Arc::clone(&scene), empty.clone());
+        let (of_thread, of_subject, image) = (Arc::clone(&shared), subject.clone(), empty.clone());
         let work = move || {
             work_alone();
-            of_thread.render(&of_scene, arithmetic, image, None);
+            of_thread.render(&of_subject, image, None);
         };
         let thread = thread::Builder::new().name("picture".to_owned()).spawn(work).ok();
         if thread.is_none() {
-            shared.render(&scene, arithmetic, empty, Some(Instant::now() + PATIENCE));
+            shared.render(&subject, empty, Some(Instant::now() + PATIENCE));
         }
         Rendering { shared, thread }
     }
@@ -123,7 +171,8 @@ impl Drop for Rendering {
 
 impl Shared {
     /// Renders the picture, or as much of it as there is time for.
-    fn render(&self, scene: &Scene, arithmetic: Arithmetic, mut image: Image, until: Option<Instant>) {
+    fn render(&self, subject: &Subject, mut image: Image, until: Option<Instant>) {
+        let scene = &subject.scene;
         let grid = [image.columns(), image.rows()];
         let (step, columns) = (image.step, image.columns() as usize);
         let pixel = |place: [u32; 2]| place.map(|number| number * step);
@@ -132,17 +181,16 @@ impl Shared {
         // One sample of each pixel is there soon, however many it has.
         let has_more = !matches!(scene.sampling, Sampling::Center {});
         for is_rough in [true, false].into_iter().filter(|is_rough| has_more || !is_rough) {
-            let of = if is_rough { preview::rough_dot } else { preview::dot };
-            let publish = |dots: Vec<([u32; 2], preview::Dot)>| {
+            let publish = |dots: Vec<([u32; 2], Dot)>| {
                 for (place, dot) in dots {
-                    image.dots[index(place)] = Some(shown(dot, is_rough));
+                    image.dots[index(place)] = Some(dot);
                 }
                 clock.publish(self, &image);
                 if until.is_some_and(|until| Instant::now() >= until) {
                     self.stop.store(true, Ordering::Relaxed);
                 }
             };
-            preview::in_passes(grid, COARSEST, |place| of(scene, pixel(place), arithmetic), publish, &self.stop);
+            preview::in_passes(grid, COARSEST, |place| subject.dot(pixel(place), is_rough), publish, &self.stop);
         }
         self.put(&image);
         let colors: Vec<_> = image.dots.iter().map(|dot| dot.map(|dot| dot.color)).collect();

@@ -136,7 +136,7 @@ fn missing(parts: &[Part], owners: &[Option<&Part>]) -> String {
 
 /// The picture that the parts are of.
 fn joined(parts: &[Part], picture: &Picture) -> Result<Canvas, Failure> {
-    let canvas = Canvas::new(picture.crop, picture.content.job());
+    let canvas = picture.content.canvas(picture.crop);
     let mut canvas = canvas.map_err(|error| Failure::machine(error.to_string()))?;
     for Part { path, .. } in parts {
         each_piece(path, |piece| canvas.put(&piece))?;

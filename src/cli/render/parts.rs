@@ -31,16 +31,16 @@ impl Render {
             return Err(not_a_file(task));
         }
         let header = self.header(task, Shard::WHOLE)?;
+        fits(&header)?;
         let (mut checkpoint, kept) = Checkpoint::open(&task.path, &header, &task.inputs)?;
         drop(place);
-        let files = || picture::digest(&task.path, format, self.layers.as_ref());
+        let files = || picture::digest(&task.path, format, task.layers.as_ref());
         if checkpoint.is_in(files().ok()) {
             self.tell(&task.path, "exists already");
             return Ok(checkpoint.spent());
         }
         let mut kept = self.render_rest(task, &header, kept, Some(&mut checkpoint))?.0;
-        let mut canvas =
-            Canvas::new(task.settings.crop, header.picture.content.job()).map_err(|error| failed(&error))?;
+        let mut canvas = header.picture.content.canvas(task.settings.crop).map_err(|error| failed(&error))?;
         for (number, _) in header.pieces() {
             if let Some(pixels) = kept.remove(&number) {
                 canvas.put(&pixels);
@@ -54,6 +54,7 @@ impl Render {
     /// Renders a shard into a part, unless it is there.
     pub(super) fn part(&self, task: &Task, mut seconds: Seconds) -> Result<(), Failure> {
         let header = self.header(task, self.shard.unwrap_or(Shard::WHOLE))?;
+        fits(&header)?;
         if is_whole(&task.path, &header) {
             self.tell(&task.path, "exists already and is complete");
             output::sweep_around(&task.path);
@@ -107,8 +108,8 @@ impl Render {
             Ok(())
         };
         let never = AtomicBool::new(false);
-        let job = header.picture.content.job();
-        let rendered = render_pieces(&task.scene, &task.settings, job, &missing, keep, &never);
+        let job = self.job(task)?;
+        let rendered = render_pieces(&task.scene, &task.settings, &job, &missing, keep, &never);
         progress.finish();
         match rendered {
             Ok(counts) => Ok((kept, counts)),
@@ -123,7 +124,7 @@ impl Render {
     /// What a part of this picture says about itself.
     pub(super) fn header(&self, task: &Task, shard: Shard) -> Result<PartHeader, Failure> {
         let Task { scene, settings, .. } = task;
-        let content = match (&self.layers, self.digits_seed()?) {
+        let content = match (&task.layers, self.digits_seed()?) {
             (Some(layers), _) => Content::Layers { names: layers.names(), objects: names_of(scene) },
             (None, Some(seed)) => Content::Digits { seed },
             (None, None) => Content::Colors,
@@ -137,6 +138,17 @@ impl Render {
             output::tell(&format!("note: {}: {what}", shown(path)));
         }
     }
+}
+
+/// Refuses what no part could be read of again.
+fn fits(header: &PartHeader) -> Result<(), Failure> {
+    let bytes = header.bytes_of_picture();
+    if bytes <= MAX_PART_BYTES {
+        return Ok(());
+    }
+    Err(Failure::caller(format!(
+        "--layers: too many for parts of this picture: {bytes} bytes, expected at most {MAX_PART_BYTES}"
+    )))
 }
 
 fn not_a_file(task: &Task) -> Failure {

@@ -15,7 +15,7 @@ use std::io::Cursor;
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExrLayer {
     /// What they show.
-    pub name: &'static str,
+    pub name: String,
     /// The numbers.
     pub channels: Vec<Channel>,
 }
@@ -218,12 +218,19 @@ mod tests {
         let colors: Vec<Color> = (0..6).map(|k| Color::new(f64::from(k), 1e30, -0.1)).collect();
         film.put([5, 7, 8, 9], &colors);
         let values = vec![0.0, 1.5, f32::INFINITY, f32::NAN, -2.0, 3.0];
-        let layers = vec![ExrLayer { name: "depth", channels: vec![Channel { name: "Z", values: values.clone() }] }];
+        let layers =
+            vec![ExrLayer { name: "depth".to_owned(), channels: vec![Channel { name: "Z", values: values.clone() }] }];
         let bytes = exr(&film, layers).unwrap();
         assert_eq!(
             bytes,
-            exr(&film, vec![ExrLayer { name: "depth", channels: vec![Channel { name: "Z", values: values.clone() }] }])
-                .unwrap()
+            exr(
+                &film,
+                vec![ExrLayer {
+                    name: "depth".to_owned(),
+                    channels: vec![Channel { name: "Z", values: values.clone() }]
+                }]
+            )
+            .unwrap()
         );
         let image =
             read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer().all_attributes();
@@ -292,7 +299,7 @@ mod tests {
         let colors: Vec<Color> = (0..1200).map(|k| Color::new(f64::from(k % 7), f64::from(k) * 0.5, -1.0)).collect();
         film.put([0, 0, 40, 30], &colors);
         let depth = vec![Channel { name: "Z", values: (0..1200).map(|k| k as f32 * 0.1).collect() }];
-        let bytes = exr(&film, vec![ExrLayer { name: "depth", channels: depth }]).unwrap();
+        let bytes = exr(&film, vec![ExrLayer { name: "depth".to_owned(), channels: depth }]).unwrap();
         let floats = colors.iter().flat_map(|color| color.to_array()).map(|x| x as f32).collect();
         let expected = Picture { width: 40, height: 30, channels: Channels::Rgb, samples: Samples::Floats(floats) };
         assert_eq!(super::read(&bytes, 1200).unwrap(), expected);

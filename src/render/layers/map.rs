@@ -1,6 +1,8 @@
 //! A layer as a picture for people: false colours, and below them a legend.
 
 use super::{Layer, Layered, PixelFacts};
+use crate::log::Unit;
+use crate::log::plane::Plane;
 use crate::render::scale::inferno;
 use crate::render::{Film, export};
 use crate::scene::{self, Color};
@@ -63,11 +65,63 @@ pub fn false_colors(layered: &Layered, layer: Layer, objects: &[String]) -> Resu
                 range.most = percentile(layered.pixels().iter().filter_map(number).collect(), MOST_TIMES);
             }
             map.picture(layered, |seen| number(seen).map_or(GRAY, |number| inferno(range.part(number))));
-            map.scale(layer, range);
+            map.scale(
+                match layer {
+                    Layer::Time => "seconds (99.5 %)",
+                    Layer::Error => "error / white",
+                    _ => layer.word(),
+                },
+                range,
+            );
         }
     }
-    let plain = scene::Output::default();
-    Ok(export::encode(&map.film(), export::Format::Png8, &plain)?.bytes)
+    map.encoded()
+}
+
+/// A plane as the bytes of a PNG, of which `at` is the first number: light as the picture shows it, a number in false colours with a scale, a triple in red,
+/// green and blue. What no ray of a pixel has is grey.
+///
+/// # Errors
+/// Those of the encoder.
+pub fn of_plane(
+    layered: &Layered,
+    plane: &Plane,
+    at: usize,
+    output: &scene::Output,
+) -> Result<Vec<u8>, export::EncodeError> {
+    let is_light = match plane {
+        Plane::Value(value) => value.is_triple() && value.name.unit() == Unit::Intensity,
+        Plane::Light(_) | Plane::Class(_) => true,
+    };
+    let triple = |pixel: usize| {
+        let numbers = layered.numbers(pixel);
+        let color = Color::new(numbers[at], numbers[at + 1], numbers[at + 2]);
+        color.is_finite().then_some(color)
+    };
+    let pixels = 0..layered.pixels().len();
+    if is_light {
+        let gray = GRAY * output.white;
+        let film = Film::of(layered.area(), pixels.map(|pixel| triple(pixel).unwrap_or(gray)).collect());
+        return Ok(export::encode(&film, export::Format::Png8, output)?.bytes);
+    }
+    let mut map = Map::new(layered.width());
+    let name = plane.to_string();
+    if plane.numbers() == 1 {
+        let numbers: Vec<_> = layered.numbers_of(at).map(|number| Some(number).filter(|x| x.is_finite())).collect();
+        let range = Range::of(numbers.iter().flatten().copied());
+        map.pixels(layered.width(), numbers.iter().map(|x| x.map_or(GRAY, |number| inferno(range.part(number)))));
+        map.scale(&name, range);
+    } else {
+        let range = Range::of(pixels.clone().filter_map(triple).flat_map(|color| color.to_array()));
+        // Directions and normals look the same in every picture.
+        let is_within = |most: f64| -most <= range.least && range.most <= most;
+        let range = if is_within(1.0) { Range { least: -1.0, most: 1.0 } } else { range };
+        let shown = |color: Color| Color::from_array(color.to_array().map(|x| range.part(x)));
+        map.pixels(layered.width(), pixels.map(|pixel| triple(pixel).map_or(GRAY, shown)));
+        map.text(&name);
+        map.text(&format!("x red, y green, z blue, {} to {}", self::shown(range.least), self::shown(range.most)));
+    }
+    map.encoded()
 }
 
 /// What a scale shows of a pixel; `None` where it isn't known.
@@ -123,11 +177,23 @@ impl Map {
         film
     }
 
+    /// As the bytes of a PNG.
+    fn encoded(&self) -> Result<Vec<u8>, export::EncodeError> {
+        Ok(export::encode(&self.film(), export::Format::Png8, &scene::Output::default())?.bytes)
+    }
+
     /// The rows of the layer; a narrow one has black beside it.
     fn picture(&mut self, layered: &Layered, color: impl Fn(&PixelFacts) -> Color) {
-        for row in layered.pixels().chunks(layered.width().max(1) as usize) {
-            self.colors.extend(row.iter().map(&color));
-            self.colors.extend((layered.width()..self.width).map(|_| Color::ZERO));
+        self.pixels(layered.width(), layered.pixels().iter().map(color));
+    }
+
+    /// Rows of pixels of this width.
+    fn pixels(&mut self, width: u32, colors: impl Iterator<Item = Color>) {
+        for (color, column) in colors.zip((0..width).cycle()) {
+            self.colors.push(color);
+            if column + 1 == width {
+                self.colors.extend((width..self.width).map(|_| Color::ZERO));
+            }
         }
     }
 
@@ -145,7 +211,7 @@ impl Map {
     }
 
     /// The scale with its ends.
-    fn scale(&mut self, layer: Layer, range: Range) {
+    fn scale(&mut self, name: &str, range: Range) {
         let start = self.rows(LINE);
         for row in 2..LINE as usize {
             for column in 0..self.width as usize {
@@ -156,11 +222,6 @@ impl Map {
         let (least, most) = (shown(range.least), shown(range.most));
         let start = self.rows(LINE);
         self.write(start, 2, &least);
-        let name = match layer {
-            Layer::Time => "seconds (99.5 %)",
-            Layer::Error => "error / white",
-            _ => layer.word(),
-        };
         self.write(start, (self.width.saturating_sub(name.len() as u32 * LETTER)) / 2, name);
         self.write(start, self.width.saturating_sub(most.len() as u32 * LETTER + 2), &most);
     }
@@ -250,10 +311,10 @@ mod tests {
     #[test]
     fn a_narrow_picture_has_room_for_its_legend() {
         let pixels = vec![PixelFacts { rays: 3, ..PixelFacts::default() }; 4];
-        let layered = Layered::of([0, 0, 2, 2], pixels);
+        let layered = Layered::of([0, 0, 2, 2], pixels, Vec::new());
         let mut map = Map::new(layered.width());
         map.picture(&layered, |_| Color::ONE);
-        map.scale(Layer::Rays, Range { least: 0.0, most: 3.0 });
+        map.scale("rays", Range { least: 0.0, most: 3.0 });
         let film = map.film();
         assert_eq!((film.width(), film.height()), (NARROWEST, 2 + 2 * LINE));
         assert_eq!(film.pixels()[..3], [Color::ONE, Color::ONE, Color::ZERO]);

@@ -1,18 +1,30 @@
 //! What a pixel costs and what it sees, as layers beside the picture. Nothing of this is done when no layer is asked for.
 
+mod catcher;
+mod layered;
 mod map;
 mod observer;
+mod parts;
+mod planes;
+mod watched;
 
-pub use map::false_colors;
+pub use layered::Layered;
+pub use map::{false_colors, of_plane};
+pub use planes::{MAX_PLANES, NoPlane, Planes, classes_of, lights_of};
+pub(super) use watched::Watched;
 
 use super::export::{Channel, ExrLayer};
 use super::task::Task;
-use super::{Counter, Film, Settings};
+use super::{Counter, Settings};
+use crate::log::Unit;
+use crate::log::plane::Plane;
 use crate::log::words::words;
+use crate::probe::Erased;
 use crate::record::Pixel;
 use crate::scene::{Color, Scene};
 use observer::Observer;
 use std::str::FromStr;
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 words! {
@@ -73,26 +85,39 @@ pub struct PixelFacts {
     pub seconds: f64,
 }
 
-/// A picture with what is known of its pixels.
-pub type Layered = Film<PixelFacts>;
-
-/// The pixels with what they cost and see; `None` when the work is to stop.
-pub(super) fn layers(task: &Task) -> Option<(Layered, Counter)> {
-    task.by_pixels(|pixel, _| see(task.scene, task.settings, pixel))
+/// The pixels with what they cost and see, and with the numbers of planes; `None` when the work is to stop.
+pub(super) fn layers(task: &Task, planes: &Planes) -> Option<(Layered, Counter)> {
+    let layered = Mutex::new(Layered::new(task.settings.crop, planes.numbers()));
+    let lock = || layered.lock().unwrap_or_else(PoisonError::into_inner);
+    let see = |pixel, _: &mut Counter| {
+        let (seen, numbers) = see(task.scene, task.settings, planes, pixel);
+        if !numbers.is_empty() {
+            lock().put_numbers(pixel, &numbers);
+        }
+        seen
+    };
+    let (facts, counter) = task.by_pixels(see)?;
+    let mut layered = layered.into_inner().unwrap_or_else(PoisonError::into_inner);
+    layered.facts = facts;
+    Some((layered, counter))
 }
 
-fn see(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> PixelFacts {
+fn see(scene: &Scene, settings: &Settings, planes: &Planes, pixel: [u32; 2]) -> (PixelFacts, Vec<f64>) {
     let start = Instant::now();
-    let (color, observer) = settings.arithmetic.run(Observer::new(scene), Pixel { scene, pixel });
-    observer.seen(color, scene.output.white, start.elapsed().as_secs_f64())
+    let (pixel, observer) = (Pixel { scene, pixel }, Observer::new(scene));
+    let seen = |color, observer: Observer| observer.seen(color, scene.output.white, start.elapsed().as_secs_f64());
+    if planes.names().is_empty() {
+        let (color, observer) = settings.arithmetic.run(observer, pixel);
+        return (seen(color, observer), Vec::new());
+    }
+    // As a log is recorded: what passes is what a log has, and the tracer isn't compiled once more.
+    let mut watched = Watched::new(observer, planes);
+    let (color, _) = settings.arithmetic.run(Erased::of(&mut watched), pixel);
+    let (observer, numbers) = watched.finish();
+    (seen(color, observer), numbers)
 }
 
-impl Film<PixelFacts> {
-    /// The picture.
-    pub fn film(&self) -> Film {
-        self.map(|pixel| pixel.color)
-    }
-
+impl Layered {
     /// A layer as numbers, by channel. What isn't known isn't a number (NaN), and the depth of the background is infinite.
     pub fn layer(&self, layer: Layer) -> ExrLayer {
         let channel = |name: &'static str, of: &dyn Fn(&PixelFacts) -> f64| Channel {
@@ -116,6 +141,20 @@ impl Film<PixelFacts> {
             Layer::Error => vec![channel("value", &|seen| seen.error.unwrap_or(f64::NAN))],
             Layer::Time => vec![channel("seconds", &|seen| seen.seconds)],
         };
-        ExrLayer { name: layer.word(), channels }
+        ExrLayer { name: layer.word().to_owned(), channels }
+    }
+
+    /// A plane as numbers, by channel; `at` is the first of its numbers.
+    pub fn plane(&self, plane: &Plane, at: usize) -> ExrLayer {
+        let names: &[&'static str] = match plane {
+            Plane::Value(value) if !value.is_triple() => &["value"],
+            Plane::Value(value) if value.name.unit() != Unit::Intensity => &["X", "Y", "Z"],
+            _ => &["R", "G", "B"],
+        };
+        let channel = |(name, at): (&&'static str, usize)| Channel {
+            name: *name,
+            values: self.numbers_of(at).map(|number| number as f32).collect(),
+        };
+        ExrLayer { name: plane.file_name(), channels: names.iter().zip(at..).map(channel).collect() }
     }
 }

@@ -12,9 +12,10 @@ mod write;
 pub use read::{PartError, Reader, Record};
 pub use write::Writer;
 
-use super::Job;
 use super::pieces::pieces_of;
+use super::{Canvas, RenderError};
 use crate::log::header::{SceneId, TracingId};
+use crate::log::plane::Plane;
 use crate::log::{FrameId, Header, Shard};
 use crate::scene::{Output, Transfer};
 use serde::{Deserialize, Serialize};
@@ -102,6 +103,13 @@ impl PartHeader {
         PartHeader { part: FORMAT.to_owned(), shard, picture }
     }
 
+    /// How many bytes the pixels of the whole picture take.
+    pub fn bytes_of_picture(&self) -> u64 {
+        let [left, top, right, bottom] = self.picture.crop;
+        let words = words::count(&self.picture.content) as u64;
+        u64::from(right - left) * u64::from(bottom - top) * words * size_of::<u64>() as u64
+    }
+
     /// The pieces that the part has when it is whole, with their numbers.
     pub fn pieces(&self) -> impl Iterator<Item = (u32, [u32; 4])> {
         pieces_of(self.picture.crop, self.shard)
@@ -152,12 +160,25 @@ impl Picture {
 }
 
 impl Content {
-    /// What is to be rendered for it.
-    pub fn job(&self) -> Job {
+    /// An empty picture for it.
+    ///
+    /// # Errors
+    /// [`RenderError::Memory`].
+    pub fn canvas(&self, crop: [u32; 4]) -> Result<Canvas, RenderError> {
         match self {
-            Content::Colors => Job::Colors,
-            Content::Digits { seed } => Job::Digits { seed: *seed },
-            Content::Layers { .. } => Job::Layers,
+            Content::Colors => Canvas::colors(crop),
+            Content::Digits { .. } => Canvas::digits(crop),
+            Content::Layers { .. } => Canvas::layers(crop, self.numbers()),
+        }
+    }
+
+    /// How many numbers a pixel has of the planes among its layers.
+    fn numbers(&self) -> usize {
+        match self {
+            Content::Colors | Content::Digits { .. } => 0,
+            Content::Layers { names, .. } => {
+                names.iter().filter_map(|name| name.parse().ok()).map(|plane: Plane| plane.numbers()).sum()
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Pixels as words of 64 bits.
 
 use super::Content;
-use crate::render::layers::PixelFacts;
+use crate::render::layers::{Layered, PixelFacts};
 use crate::render::{Canvas, Film};
 use crate::scene::Color;
 
@@ -18,7 +18,7 @@ const NONE: u64 = u64::MAX;
 pub fn count(content: &Content) -> usize {
     match content {
         Content::Colors | Content::Digits { .. } => OF_COLOR,
-        Content::Layers { .. } => FACTS,
+        Content::Layers { .. } => FACTS + content.numbers(),
     }
 }
 
@@ -28,7 +28,13 @@ pub fn to_bytes(pixels: &Canvas) -> Vec<u8> {
         Canvas::Colors(film) | Canvas::Digits(film) => {
             film.pixels().iter().flat_map(|color| bytes(&of_color(*color))).collect()
         }
-        Canvas::Layers(film) => film.pixels().iter().flat_map(|seen| bytes(&words_of_facts(seen))).collect(),
+        Canvas::Layers(film) => {
+            let of_pixel = |(at, seen)| {
+                let numbers = film.numbers(at).iter().map(|number| number.to_bits());
+                bytes(&words_of_facts(seen).into_iter().chain(numbers).collect::<Vec<_>>())
+            };
+            film.pixels().iter().enumerate().flat_map(of_pixel).collect()
+        }
     }
 }
 
@@ -41,7 +47,10 @@ pub fn from_bytes(content: &Content, area: [u32; 4], bytes: &[u8]) -> Canvas {
         Content::Colors => Canvas::Colors(colors()),
         Content::Digits { .. } => Canvas::Digits(colors()),
         Content::Layers { .. } => {
-            Canvas::Layers(Film::of(area, words.as_chunks::<FACTS>().0.iter().map(seen).collect()))
+            let pixels = words.chunks_exact(count(content)).filter_map(<[u64]>::split_first_chunk);
+            let (facts, numbers): (Vec<_>, Vec<_>) = pixels.map(|(facts, numbers)| (seen(facts), numbers)).unzip();
+            let numbers = numbers.concat().into_iter().map(f64::from_bits).collect();
+            Canvas::Layers(Layered::of(area, facts, numbers))
         }
     }
 }
@@ -125,8 +134,9 @@ mod tests {
         };
         let other = PixelFacts { object: Some(u32::MAX), error: Some(0.0), seconds: 1e-9, samples: 7, ..seen };
         let area = [0, 0, 1, 3];
-        let layers = Canvas::Layers(Film::of(area, vec![seen, other, PixelFacts::default()]));
-        let content = Content::Layers { names: Vec::new(), objects: Vec::new() };
+        let layers = Canvas::Layers(Layered::of(area, vec![seen, other, PixelFacts::default()], vec![1.5, -0.0, 2.0]));
+        let names = ["depth", "value:shade.n_dot_l@C R"].map(str::to_owned).to_vec();
+        let content = Content::Layers { names, objects: Vec::new() };
         let bytes = to_bytes(&layers);
         assert_eq!(bytes.len(), 3 * 8 * count(&content));
         assert_eq!(from_bytes(&content, area, &bytes), layers);

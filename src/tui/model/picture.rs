@@ -1,5 +1,6 @@
 //! The picture: its dots as far as they are there, the cursor pixel in it, and how it is looked at.
 
+use crate::log::Value;
 use crate::report::language::Language;
 use std::fmt;
 use std::sync::Arc;
@@ -17,13 +18,35 @@ pub struct Image {
     pub levels: Levels,
     /// The value that is shown as full white; infinite where no exposure may be chosen for it.
     pub white: f64,
+    /// What of the pixels was asked for by name.
+    pub named: Option<Named>,
+}
+
+/// What `:picture` asks for by name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// The name, safe to be shown.
+    pub title: String,
+    /// How it is shown.
+    pub shows: Shows,
+}
+
+/// How the values of a name are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shows {
+    /// Numbers, in false colours.
+    Numbers,
+    /// Light, as the picture is.
+    Light,
+    /// Directions, points and other triples: x, y and z as red, green and blue.
+    Triples,
 }
 
 /// From a colour and stops of exposure to three bytes.
 pub type Levels = Arc<dyn Fn([f64; 3], f64) -> [u8; 3] + Send + Sync>;
 
 /// A pixel of the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Dot {
     /// The colour, in linear light.
     pub color: [f64; 3],
@@ -35,6 +58,8 @@ pub struct Dot {
     pub samples: u32,
     /// By how much single precision misses the colour, in the worst channel; `None` until that is known.
     pub error: Option<f64>,
+    /// What was asked for by name; `None` where the pixel has no such value.
+    pub named: Option<Value>,
     /// Whether it is only what one of its samples says, until the others are traced.
     pub is_rough: bool,
 }
@@ -52,6 +77,8 @@ pub enum Layer {
     Samples,
     /// How wrong single precision is.
     Error,
+    /// What was asked for by name.
+    Named,
 }
 
 /// How the picture is looked at.
@@ -83,7 +110,7 @@ impl Image {
     /// The picture of this size without any dots; the step is the least with which it has no more than 2²⁰ dots.
     pub fn empty(size: [u32; 2], levels: Levels) -> Image {
         let step = (1..).find(|step| dots_of(size, *step) <= MOST_DOTS).unwrap_or(1);
-        Image { size, step, dots: vec![None; dots_of(size, step)], levels, white: f64::INFINITY }
+        Image { size, step, dots: vec![None; dots_of(size, step)], levels, white: f64::INFINITY, named: None }
     }
 
     /// Columns of dots.
@@ -159,6 +186,21 @@ impl Image {
         self.dots.iter().enumerate().filter_map(move |(at, dot)| Some((pixel(at), of(dot.as_ref()?)?)))
     }
 
+    /// The least and the greatest component of the triples that were asked for by name; from −1 to 1 where those are all within.
+    pub fn range_of_triples(&self) -> Option<[f64; 2]> {
+        let values = self.dots.iter().flatten().filter_map(|dot| triple(dot.named)).flatten();
+        let found = values.fold(None, |range: Option<[f64; 2]>, value| {
+            let [least, greatest] = range.unwrap_or([value; 2]);
+            Some([least.min(value), greatest.max(value)])
+        });
+        found.map(|[least, greatest]| if least >= -1.0 && greatest <= 1.0 { [-1.0, 1.0] } else { [least, greatest] })
+    }
+
+    /// Whether no pixel has what was asked for by name, as far as one knows.
+    pub fn lacks_named(&self) -> bool {
+        self.dots.iter().flatten().all(|dot| dot.named.is_none())
+    }
+
     /// The least and the greatest value of a layer.
     pub fn range(&self, layer: Layer) -> Option<[f64; 2]> {
         let values = self.dots.iter().flatten().filter_map(|dot| layer.of(dot));
@@ -166,6 +208,14 @@ impl Image {
             let [least, greatest] = range.unwrap_or([value; 2]);
             Some([least.min(value), greatest.max(value)])
         })
+    }
+}
+
+/// The components of a triple.
+pub fn triple(value: Option<Value>) -> Option<[f64; 3]> {
+    match value? {
+        Value::Triple(triple) => Some(triple),
+        Value::Number(_) => None,
     }
 }
 
@@ -181,16 +231,24 @@ fn dots_of([width, height]: [u32; 2], step: u32) -> usize {
 
 impl Layer {
     /// All layers in the order in which they are shown.
-    pub const ALL: [Layer; 5] = [Layer::Colors, Layer::Depth, Layer::Rays, Layer::Samples, Layer::Error];
+    pub const ALL: [Layer; 6] = [Layer::Colors, Layer::Depth, Layer::Rays, Layer::Samples, Layer::Error, Layer::Named];
 
-    /// What it is called.
-    pub fn word(self, language: Language) -> &'static str {
-        language.texts().viewer.panes.picture.layers[self as usize]
-    }
+    /// The words of those that every picture has, as they are typed.
+    pub const WORDS: [(&'static str, Layer); 5] = [
+        ("color", Layer::Colors),
+        ("depth", Layer::Depth),
+        ("rays", Layer::Rays),
+        ("samples", Layer::Samples),
+        ("error", Layer::Error),
+    ];
 
     /// By what the pixels of a layer are ranked: its values, and the brightness of colours.
     pub fn rank(self, dot: &Dot) -> Option<f64> {
-        if self == Layer::Colors { Some(dot.color.iter().sum()) } else { self.of(dot) }
+        match (self, dot.named) {
+            (Layer::Colors, _) => Some(dot.color.iter().sum()),
+            (Layer::Named, Some(Value::Triple(triple))) => Some(triple.iter().sum()),
+            _ => self.of(dot),
+        }
     }
 
     /// The value of a dot; `None` for a colour and for what isn't known.
@@ -201,6 +259,7 @@ impl Layer {
             Layer::Rays => (!dot.is_rough).then(|| dot.rays.into()),
             Layer::Samples => (!dot.is_rough).then(|| dot.samples.into()),
             Layer::Error => dot.error,
+            Layer::Named => dot.named.and_then(|value| value.number()),
         }
     }
 }
@@ -216,7 +275,24 @@ impl PictureView {
     pub fn show(&mut self, image: Arc<Image>) {
         self.is_finished = image.dots.iter().all(|dot| dot.is_some_and(|dot| dot.error.is_some()));
         self.fitting = image.fitting_exposure();
+        if image.named.is_none() && self.layer == Layer::Named {
+            self.layer = Layer::Colors;
+        }
         self.image = image;
+    }
+
+    /// What is shown.
+    pub fn title(&self, language: Language) -> &str {
+        match &self.image.named {
+            Some(named) if self.layer == Layer::Named => &named.title,
+            // Nothing was asked for by name.
+            _ => language.texts().viewer.panes.picture.layers[(self.layer as usize).min(Layer::Error as usize)],
+        }
+    }
+
+    /// How the values are shown that were asked for by name, if they are shown.
+    pub fn shows_named(&self) -> Option<Shows> {
+        self.image.named.as_ref().filter(|_| self.layer == Layer::Named).map(|named| named.shows)
     }
 
     /// What of the picture is seen on a screen of this many dots.
@@ -227,7 +303,7 @@ impl PictureView {
                 Wanted::Pixels(under().filter_map(|dot| self.pixel_under(screen, dot)).chain([self.cursor]).collect())
             }
             // The colours of the others reach from the least value of all dots to the greatest.
-            Layer::Depth | Layer::Rays | Layer::Samples => {
+            Layer::Depth | Layer::Rays | Layer::Samples | Layer::Named => {
                 let [width, height] = self.image.size;
                 let lines = (0..height).step_by(self.image.step as usize);
                 Wanted::Pixels(
@@ -275,7 +351,8 @@ impl PictureView {
 
     /// Another layer.
     pub fn next_layer(&mut self) {
-        self.layer = Layer::ALL[(self.layer as usize + 1) % Layer::ALL.len()];
+        let count = Layer::ALL.len() - usize::from(self.image.named.is_none());
+        self.layer = Layer::ALL[(self.layer as usize + 1) % count];
     }
 
     /// Brighter by these half stops.

@@ -4,7 +4,7 @@ use super::{put, title};
 use crate::log::{Decision, RayKind, Value, What};
 use crate::report::words;
 use crate::tui::model::layout::Layout;
-use crate::tui::model::picture::{Layer, PictureView};
+use crate::tui::model::picture::{Layer, PictureView, Shows, triple};
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Background, Palette, Theme, of_index};
@@ -19,7 +19,8 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     title(model, Pane::Picture, name(model, view, range, theme), &remark(view), theme, area, buffer);
     let body = Layout::body(area);
     let dots = Layout::dots(area);
-    let brush = Brush { view, range, theme, screen: [dots.width.into(), 2 * u32::from(dots.height)] };
+    let triples = view.shows_named().and_then(|_| view.image.range_of_triples());
+    let brush = Brush { view, range, triples, theme, screen: [dots.width.into(), 2 * u32::from(dots.height)] };
     for place in dots.intersection(buffer.area).positions() {
         let cell = brush.cell([u32::from(place.x - dots.x), 2 * u32::from(place.y - dots.y)]);
         if let (Some((symbol, style)), Some(target)) = (cell, buffer.cell_mut(place)) {
@@ -62,11 +63,19 @@ fn bar() -> String {
 
 fn name(model: &Model, view: &PictureView, range: Option<[f64; 2]>, theme: &Theme) -> String {
     let figure = |value| model.language.marked(figure(value));
-    let mut name = view.layer.word(model.language).to_owned();
+    let mut name = view.title(model.language).to_owned();
     if let Some([least, greatest]) = range {
         name += &format!(" {} {} {}", figure(least), bar(), figure(greatest));
     }
-    if view.stops() != 0.0 && view.layer == Layer::Colors {
+    if let (Some(shows), texts) = (view.shows_named(), &model.texts().panes.picture) {
+        if view.image.lacks_named() {
+            name += &format!(": {}", if view.is_finished { texts.no_pixel_has_it } else { "…" });
+        } else if let (Shows::Triples, Some(ends)) = (shows, view.image.range_of_triples()) {
+            name += &format!(" {}", (texts.axes)(&ends.map(figure)));
+        }
+    }
+    let has_light = view.layer == Layer::Colors || view.shows_named() == Some(Shows::Light);
+    if view.stops() != 0.0 && has_light {
         let (texts, stops) = (&model.texts().panes.picture, stops(model, view.stops()));
         name += " ";
         name += &if view.fitting == 0 { (texts.exposure)(&stops) } else { (texts.fitting)(&stops) };
@@ -108,9 +117,11 @@ fn under_cursor(model: &Model, view: &PictureView, room: usize) -> String {
     let Some(dot) = view.image.at(view.cursor).filter(|_| is_told) else { return place };
     let texts = &model.texts().panes.picture;
     let named = object(model).map_or_else(|| place.clone(), |object| format!("{place} {object}"));
-    let value = view.layer.of(dot).map_or(String::new(), |value| {
-        format!("  {} {}", view.layer.word(model.language), model.language.marked(figure(value)))
-    });
+    let shown_value = match view.shows_named() {
+        Some(_) => Some(dot.named.map_or_else(|| texts.none.to_owned(), |value| model.value(&value))),
+        None => view.layer.of(dot).map(|value| model.language.marked(figure(value))),
+    };
+    let value = shown_value.map_or(String::new(), |value| format!("  {} {value}", view.title(model.language)));
     let fitting = match view.layer {
         Layer::Colors if view.fitting != 0 => {
             format!("  {}", (texts.fitting)(&stops(model, f64::from(view.fitting) / 2.0)))
@@ -161,6 +172,8 @@ fn object(model: &Model) -> Option<String> {
 struct Brush<'v> {
     view: &'v PictureView,
     range: Option<[f64; 2]>,
+    /// That of triples.
+    triples: Option<[f64; 2]>,
     theme: &'v Theme,
     /// Dots on the screen.
     screen: [u32; 2],
@@ -219,12 +232,26 @@ impl Brush<'_> {
         if view.layer == Layer::Colors {
             return Some((view.image.levels)(view.image.mean(area, |dot| Some(dot.color))?, view.stops()));
         }
+        let part = |value: f64, [least, greatest]: [f64; 2]| {
+            if greatest > least { (value - least) / (greatest - least) } else { 0.0 }
+        };
+        match view.shows_named() {
+            Some(Shows::Light) => {
+                return Some((view.image.levels)(view.image.mean(area, |dot| triple(dot.named))?, view.stops()));
+            }
+            Some(Shows::Triples) => {
+                let (mean, range) = (view.image.mean(area, |dot| triple(dot.named))?, self.triples?);
+                return Some(mean.map(|x| (part(x, range) * 255.0).round() as u8));
+            }
+            Some(Shows::Numbers) | None => {}
+        }
         let [value] = view.image.mean(area, |dot| view.layer.of(dot).map(|value| [value]))?;
-        let [least, greatest] = self.range?;
-        let part = if greatest > least { (value - least) / (greatest - least) } else { 0.0 };
+        let part = part(value, self.range?);
         Some(false_color(match self.view.layer {
             // Errors differ by powers of ten: eight of them are shown.
             Layer::Error => 1.0 + libm::log10(part) / 8.0,
+            // Cosines and lengths are of every size.
+            Layer::Named => part,
             // The root distinguishes small values, which most pixels have.
             _ => part.sqrt(),
         }))

@@ -27,6 +27,30 @@ texts! {
     steps(count: usize) = "there are steps 1 to {count}", "hay pasos del 1 al {count}";
     /// What represents a path and its value.
     path_and_value = "PATH VALUE", "RUTA VALOR";
+    /// What represents what a picture may show.
+    plane = "KEY@PATH|light:NAME|class:LDE", "CLAVE@RUTA|light:NOMBRE|class:LDE";
+    /// There is no such quantity; what may have been meant.
+    no_quantity: fn(&str, &str) -> String =
+        |key, near| match near {
+            "" => format!("no quantity `{key}`; Tab lists them: :picture shade.n_dot_l@C R"),
+            near => format!("no quantity `{key}`; did you mean `{near}`?"),
+        },
+        |key, near| match near {
+            "" => format!("no hay cantidad `{key}`; Tab las enumera: :picture shade.n_dot_l@C R"),
+            near => format!("no hay cantidad `{key}`; ¿quiso decir `{near}`?"),
+        };
+    /// A number has no components.
+    no_components(key: &str) = "{key} is a number, it has no components", "{key} es un número, no tiene componentes";
+    /// What is no path of rays.
+    no_ray_path(path: &str) =
+        "`{path}` is no path: C, then R or T for each bounce, at last S and the number of a light, such as C R S1",
+        "`{path}` no es un camino: C, luego R o T por cada rebote, al final S y el número de una luz, como C R S1";
+    /// What is no class of paths.
+    no_class(class: &str) =
+        "`{class}` is no class of paths, such as LDSE, L(D|S)E, LDS*E, AE or BSE",
+        "`{class}` no es una clase de caminos, como LDSE, L(D|S)E, LDS*E, AE o BSE";
+    /// No light was named.
+    expected_light = "expected the name of a light: :picture light:NAME", "se espera el nombre de una luz: :picture light:NOMBRE";
     /// What represents a file.
     file = "FILE", "ARCHIVO";
     /// What represents a number.

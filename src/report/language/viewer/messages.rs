@@ -28,6 +28,20 @@ texts! {
             "" => format!("no hay nada dentro de `{path}`"),
             known => format!("no hay `{path}`; hay {known}"),
         };
+    /// The scene has no light of that name; what may have been meant.
+    no_light: fn(&str, &str, &str) -> String =
+        |name, near, known| match near {
+            "" => format!("no light `{name}`; there is {known}"),
+            near => format!("no light `{name}`; did you mean `{near}`? there is {known}"),
+        },
+        |name, near, known| match near {
+            "" => format!("no hay luz `{name}`; hay {known}"),
+            near => format!("no hay luz `{name}`; ¿quiso decir `{near}`? hay {known}"),
+        };
+    /// No path can be of that class.
+    no_class(class: &str, known: &str) =
+        "no path is of the class {class}; here there are {known}",
+        "ningún camino es de la clase {class}; aquí hay {known}";
     /// A change of the scene changes nothing here.
     no_value_differs = "nothing differs here", "aquí no cambia nada";
     /// How much a change of the scene changes here.

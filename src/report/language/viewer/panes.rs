@@ -186,6 +186,14 @@ texts! {
     rays(count: u32) = "rays {count}", "rayos {count}";
     /// Its levels in a file.
     levels([r, g, b]: [u8; 3]) = "8-bit {r} {g} {b}", "8 bits {r} {g} {b}";
+    /// How the components of a triple are shown.
+    axes([least, greatest]: &[String; 2]) =
+        "x red, y green, z blue, {least} to {greatest}",
+        "x rojo, y verde, z azul, de {least} a {greatest}";
+    /// A pixel has no value.
+    none = "none", "ninguno";
+    /// No pixel has a value.
+    no_pixel_has_it = "no pixel has it", "ningún píxel lo tiene";
     /// The cursor is at the edge.
     ends = "the picture ends here", "la imagen termina aquí";
 }
