@@ -109,7 +109,11 @@ const COMMANDS: &[Command] = &[
         argument: Argument::Name,
         run: |_, spec| Ok(Effect::Change(Change::Sampling(spec.to_owned()))),
     },
-    Command { name: SCHEMATIC, argument: Argument::Schematic, run: |model, word| plainly(drawn::schematic(model, word)) },
+    Command {
+        name: SCHEMATIC,
+        argument: Argument::Schematic,
+        run: |model, word| plainly(drawn::schematic(model, word)),
+    },
     Command { name: "search", argument: Argument::Text, run: |model, text| plainly(search::begin(model, text)) },
     Command { name: SET, argument: Argument::Parameter, run: set },
     Command {

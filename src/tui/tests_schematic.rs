@@ -47,7 +47,8 @@ fn a_branch_is_the_way_from_the_eye_and_what_hangs_below() {
                 let path = format!("{} ", model.tree.path(*node));
                 !is_shadow(&model, *node) && (path.starts_with(&here) || here.starts_with(&path))
             };
-            let expected: Vec<_> = rays.iter().filter(|node| belongs(node)).map(|node| model.tree.path(*node)).collect();
+            let expected: Vec<_> =
+                rays.iter().filter(|node| belongs(node)).map(|node| model.tree.path(*node)).collect();
             assert_eq!(drawn(&model), expected, "at {here}");
         }
     }
@@ -100,7 +101,9 @@ fn commands_say_what_the_schematic_can_show() {
         said.unwrap_or_default()
     };
     assert!(said(&mut model, ":schematic Space vectros Enter").contains("did you mean vectors?"));
-    assert!(said(&mut model, ":schematic Space zzz Enter").contains("branch, pixel, vectors, top, front, side, eye, auto"));
+    assert!(
+        said(&mut model, ":schematic Space zzz Enter").contains("branch, pixel, vectors, top, front, side, eye, auto")
+    );
     assert!(said(&mut model, ":schematic Space eye Enter").contains("needs the scene"));
     assert!(said(&mut model, ":rays Enter").contains("no picture"));
     assert_eq!(said(&mut model, ":schematic Space vec Tab Enter"), "");
@@ -116,7 +119,7 @@ fn commands_say_what_the_schematic_can_show() {
 #[test]
 fn the_vectors_are_those_of_the_selected_node() {
     let mut model = schematic(textbook(), (80, 24));
-    typed(&mut model, ":schematic Space vectors Enter");
+    typed(&mut model, ":schematic Space vectors Enter g");
     assert!(shown(&model).contains("nothing is hit here"));
     typed(&mut model, "j");
     let text = shown(&model);
@@ -141,14 +144,18 @@ fn the_vectors_are_those_of_the_selected_node() {
 fn with_picture(log: Log, size: (u16, u16)) -> Model {
     let mut model = sized(log, size.0, size.1);
     let mut image = Image::empty([8, 6], Arc::new(|color, _| color.map(|part| part as u8)));
-    let dot = Dot { color: [40.0, 60.0, 80.0], depth: Some(1.0), rays: 3, samples: 1, error: Some(0.0), is_rough: false };
+    let dot =
+        Dot { color: [40.0, 60.0, 80.0], depth: Some(1.0), rays: 3, samples: 1, error: Some(0.0), is_rough: false };
     image.dots.fill(Some(dot));
     model.picture = Some(PictureView::new(Arc::new(image), [4, 3]));
     let place_of = |[x, y, z]: [f64; 3]| (z < 10.0).then(|| [4.0 + 10.0 * x / (10.0 - z), 3.0 - 10.0 * y / (10.0 - z)]);
     let ring = vec![[-2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [2.0, 0.0, 0.0], [0.0, -2.0, 0.0], [-2.0, 0.0, 0.0]];
     let named = |name: &str, lines| Wireframe { name: name.to_owned(), lines };
     model.drawing = Some(Arc::new(Drawing {
-        objects: vec![named("b\u{1b}[31mll", vec![ring]), named("wall", vec![vec![[-9.0, -3.0, -5.0], [9.0, -3.0, -5.0]]])],
+        objects: vec![
+            named("b\u{1b}[31mll", vec![ring]),
+            named("wall", vec![vec![[-9.0, -3.0, -5.0], [9.0, -3.0, -5.0]]]),
+        ],
         lights: vec![named("lamp", vec![vec![[5.0, 5.0, 9.0]]])],
         eye: [0.0, 0.0, 10.0],
         place_of: Arc::new(place_of),
@@ -211,7 +218,11 @@ fn rays_over_a_picture_that_is_narrower_than_its_pane_stay_inside() {
     model.schematic.has_shadows = true;
     model.schematic.is_over_picture = true;
     // 27 rows are 54 dots, and so 72 columns: from 24 to 96.
-    assert!(braille(&model).iter().all(|([x, y], ..)| (24..96).contains(x) && (1..28).contains(y)), "{:?}", braille(&model));
+    assert!(
+        braille(&model).iter().all(|([x, y], ..)| (24..96).contains(x) && (1..28).contains(y)),
+        "{:?}",
+        braille(&model)
+    );
 }
 
 fn logs() -> Vec<Log> {
@@ -241,7 +252,8 @@ fn any_node_in_any_size_and_look_can_be_drawn() {
             model.size = (width, height);
             model.go_to_node(node.index(model.tree.nodes().len()));
             let side = side.map(|side| Projection::ALL[side]);
-            model.schematic = SchematicView { side, shown: Shown::ALL[what], has_shadows, is_over_picture, magnification };
+            model.schematic =
+                SchematicView { side, shown: Shown::ALL[what], has_shadows, is_over_picture, magnification };
             if grows {
                 typed(&mut model, "t");
             }

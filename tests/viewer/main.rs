@@ -11,6 +11,7 @@ mod beside;
 mod frames;
 mod pictures;
 mod questions;
+mod schematic;
 mod spanish;
 #[cfg(unix)]
 mod terminal;

@@ -58,7 +58,8 @@ pub fn one_plane(log: &Log, tree: &Tree, node: usize, last: usize) -> Option<One
     let ray = tree.around(node).find(is_traced)?;
     let known = Known { log, tree, last };
     let (name, normal) = known.vector(ray, Name::HitNormalPlane)?;
-    let mut vectors = Vectors { normal: unit(normal)?, arrows: vec![("N".to_owned(), normal, Ink::Black)], ways: vec![] };
+    let mut vectors =
+        Vectors { normal: unit(normal)?, arrows: vec![("N".to_owned(), normal, Ink::Black)], ways: vec![] };
     let level = level(tree, ray);
     let incident = known.vector(ray, Name::RayDirection).and_then(|(_, incident)| unit(incident));
     if let Some(incident) = incident {
@@ -96,9 +97,9 @@ impl Known<'_> {
     fn vector(&self, node: usize, name: Name) -> Option<(Name, DVec3)> {
         let Known { log, tree, last } = *self;
         let events = tree.own_events_before(node, last.saturating_add(1));
-        let values = events.rev().flat_map(|event| {
-            log.events[event].noted().into_iter().chain(log.given(event).iter().rev().copied())
-        });
+        let values = events
+            .rev()
+            .flat_map(|event| log.events[event].noted().into_iter().chain(log.given(event).iter().rev().copied()));
         let triple = |(found, value): (Name, Value)| Some((found, DVec3::from(value.triple()?)));
         let mut found = values.filter(|(found, _)| found.is(name)).filter_map(triple);
         found.next().filter(|(_, vector)| vector.is_finite())

@@ -154,10 +154,15 @@ mod tests {
     #[test]
     fn the_side_is_the_one_from_which_points_spread_most() {
         let plane = |axes: [usize; 2]| {
-            let point = |x: f64, y: f64| std::array::from_fn(|axis| [x, y, 0.0][axes.iter().position(|a| *a == axis).unwrap_or(2)]);
+            let point = |x: f64, y: f64| {
+                std::array::from_fn(|axis| [x, y, 0.0][axes.iter().position(|a| *a == axis).unwrap_or(2)])
+            };
             Projection::widest(&[point(0.0, 0.0), point(5.0, 1.0), point(2.0, 3.0)])
         };
-        assert_eq!([plane([0, 2]), plane([0, 1]), plane([2, 1])], [Projection::Top, Projection::Front, Projection::Side]);
+        assert_eq!(
+            [plane([0, 2]), plane([0, 1]), plane([2, 1])],
+            [Projection::Top, Projection::Front, Projection::Side]
+        );
         // In the plane x = z, from above and from the front: as wide, and a line from one of them.
         assert_eq!(Projection::widest(&[[0.0; 3], [3.0, 1.0, 3.0], [1.0, 2.0, 1.0]]), Projection::Front);
         // A line says nothing, nor do no points.

@@ -77,7 +77,8 @@ impl Labels {
     }
 
     fn index(&self, [column, row]: [i32; 2]) -> Option<usize> {
-        let is_inside = (0..i32::from(self.area.width)).contains(&column) && (0..i32::from(self.area.height)).contains(&row);
+        let is_inside =
+            (0..i32::from(self.area.width)).contains(&column) && (0..i32::from(self.area.height)).contains(&row);
         is_inside.then(|| row as usize * usize::from(self.area.width) + column as usize)
     }
 
@@ -85,7 +86,8 @@ impl Labels {
     fn is_free(&self, [column, row]: [i32; 2], width: i32, avoids_rays: bool) -> bool {
         let is_empty = |column: i32| self.index([column, row]).is_none_or(|index| !self.has_text[index]);
         let fits = |column: i32| {
-            self.index([column, row]).is_some_and(|index| !self.has_text[index] && !(avoids_rays && self.has_ray[index]))
+            self.index([column, row])
+                .is_some_and(|index| !self.has_text[index] && !(avoids_rays && self.has_ray[index]))
         };
         let touches = width > 1 && !(is_empty(column - 1) && is_empty(column + width));
         width > 0 && !touches && (column..column + width).all(fits)

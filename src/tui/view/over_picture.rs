@@ -100,9 +100,7 @@ impl Over {
             // An end at the very edge belongs to the last cell.
             let size = [self.dots.width, self.dots.height].map(f64::from);
             let inside = [0, 1].map(|axis| to[axis].clamp(0.0, size[axis] - 1.0));
-            let place = labels.at(inside, 1).or_else(|| {
-                labels.near(inside, [to[0] - from[0], to[1] - from[1]], 1)
-            });
+            let place = labels.at(inside, 1).or_else(|| labels.near(inside, [to[0] - from[0], to[1] - from[1]], 1));
             if let Some(cell) = place.and_then(|place| sheet.cell_mut(place.as_position())) {
                 cell.set_symbol(&text).set_fg(numbered(number));
                 cell.modifier = Modifier::BOLD;

@@ -69,12 +69,16 @@ texts! {
         &["n siguiente", "d de qué", "D para qué", "a cifras", "j k mueven", "V símbolos", "W redondeo", "p anterior", "y copia", "Tab panel"];
     /// In the picture.
     picture: &'static [Text] =
-        &["h j k l pixel", "H J K L cell", "Enter tree", "v layers", "i I zoom", "( ) exposure", "w why", "Tab pane"],
-        &["h j k l píxel", "H J K L celda", "Enter árbol", "v capas", "i I zoom", "( ) exposición", "w por qué", "Tab panel"];
+        &["h j k l pixel", "H J K L cell", "Enter tree", "v layers", "i I zoom", "A rays", "( ) exposure", "w why", "Tab pane"],
+        &["h j k l píxel", "H J K L celda", "Enter árbol", "v capas", "i I zoom", "A rayos", "( ) exposición", "w por qué", "Tab panel"];
     /// In the schematic.
     schematic: &'static [Text] =
         &["v turn", "Z what", "X shadow rays", "i I zoom", "n next value", "} next ray", "Tab pane"],
         &["v gira", "Z qué", "X sombras", "i I zoom", "n siguiente", "} rayo siguiente", "Tab panel"];
+    /// In the schematic while it shows vectors.
+    vectors: &'static [Text] =
+        &["Z rays", "} next ray", "n next value", "Tab pane"],
+        &["Z rayos", "} rayo siguiente", "n siguiente", "Tab panel"];
     /// In the algorithm.
     code: &'static [Text] =
         &["n next value", "] next event", "} next ray", "p previous", "Tab pane"],

@@ -143,14 +143,16 @@ impl Sheet {
     fn arrow(&self, canvas: &mut Context, tip: [f64; 2], color: Color) {
         /// The length of the short lines in dots, along the arrow and across.
         const BARB: [f64; 2] = [3.0, 1.6];
+        const SMALL_BARB: [f64; 2] = [2.0, 1.0];
         self.line(canvas, [0.0; 2], tip, color);
         let length = libm::hypot(tip[0], tip[1]);
-        if length * self.unit < 2.0 * BARB[0] {
+        let [back, beside] = if self.unit < 30.0 { SMALL_BARB } else { BARB };
+        if length * self.unit < 3.0 * back {
             return;
         }
         let [x, y] = tip.map(|part| part / length / self.unit);
-        for side in [BARB[1], -BARB[1]] {
-            let barb = [tip[0] - BARB[0] * x - side * y, tip[1] - BARB[0] * y + side * x];
+        for side in [beside, -beside] {
+            let barb = [tip[0] - back * x - side * y, tip[1] - back * y + side * x];
             self.line(canvas, tip, barb, color);
         }
     }
@@ -264,7 +266,8 @@ mod tests {
     fn the_height_of_a_light_is_its_cosine() {
         let log = log_of("figure-6", Arithmetic::F64);
         let tree = Tree::of(&log.events);
-        let lights = (0..tree.nodes().len()).filter(|node| matches!(tree.nodes()[*node].step, Some(Step::Light { .. })));
+        let lights =
+            (0..tree.nodes().len()).filter(|node| matches!(tree.nodes()[*node].step, Some(Step::Light { .. })));
         let mut count = 0;
         for light in lights {
             let noted = tree.own_events(light).filter_map(|event| log.events[event].noted());
