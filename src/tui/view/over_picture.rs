@@ -55,6 +55,8 @@ pub(super) fn draw(model: &Model, view: &PictureView, theme: &Theme, dots: Rect,
 /// The rays as the camera sees them.
 struct Over {
     dots: Rect,
+    /// Where the picture is: it may be narrower than its area.
+    seen: Rect,
     /// The rays with the part of each that is on the screen, in columns and rows; the current one last.
     rays: Vec<(Segment, [[f64; 2]; 2])>,
     current: Option<usize>,
@@ -76,7 +78,11 @@ impl Over {
         let current = drawn.current.map(|ray| ray.node);
         let others = drawn.rays.iter().filter(|ray| Some(ray.node) != current);
         let rays = others.chain(&drawn.current).filter_map(|ray| Some((*ray, on_screen(ray)?))).collect();
-        Over { dots, rays, current }
+        let [[left, right], [top, bottom]] = [x, y].map(|[from, to]| [from.floor() as u16, to.ceil() as u16]);
+        let (left, top) = (left.min(dots.width), top.min(dots.height));
+        let size = [right.saturating_sub(left), bottom.saturating_sub(top)];
+        let seen = Rect { x: dots.x + left, y: dots.y + top, width: size[0], height: size[1] }.intersection(dots);
+        Over { dots, seen, rays, current }
     }
 
     fn draw(&self, canvas: &mut Context) {
@@ -94,12 +100,13 @@ impl Over {
 
     /// Writes the letters of rays at their ends, the current one first.
     fn letter(&self, theme: &Theme, sheet: &mut Buffer) {
-        let mut labels = Labels::new(self.dots);
+        let mut labels = Labels::new(self.seen);
         for (number, (ray, [from, to])) in self.rays.iter().enumerate().rev() {
             let text = if ray.is_blocked { theme.glyphs.blocked.to_owned() } else { ray.kind.letter().to_string() };
             // An end at the very edge belongs to the last cell.
-            let size = [self.dots.width, self.dots.height].map(f64::from);
-            let inside = [0, 1].map(|axis| to[axis].clamp(0.0, size[axis] - 1.0));
+            let left_and_top = [self.seen.x - self.dots.x, self.seen.y - self.dots.y].map(f64::from);
+            let last = [self.seen.width, self.seen.height].map(|size| (f64::from(size) - 1.0).max(0.0));
+            let inside = [0, 1].map(|axis| (to[axis] - left_and_top[axis]).clamp(0.0, last[axis]));
             let place = labels.at(inside, 1).or_else(|| labels.near(inside, [to[0] - from[0], to[1] - from[1]], 1));
             if let Some(cell) = place.and_then(|place| sheet.cell_mut(place.as_position())) {
                 cell.set_symbol(&text).set_fg(numbered(number));
