@@ -5,7 +5,7 @@ use super::keys::Walk;
 use super::model::list::Kind;
 use super::model::prompt::Purpose;
 use super::model::{Model, breakpoint};
-use super::{bookmarks, breakpoints, edit, jumps, plane, search, understanding, walk};
+use super::{bookmarks, breakpoints, drawn, edit, jumps, plane, search, understanding, walk};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
 use crate::report::Style;
@@ -40,6 +40,7 @@ enum Argument {
     MaybeName,
     Decimals,
     Plane,
+    Schematic,
 }
 
 impl Argument {
@@ -64,6 +65,7 @@ impl Argument {
             Argument::Name | Argument::MaybeName => texts.name,
             Argument::Decimals => "N",
             Argument::Plane => texts.plane,
+            Argument::Schematic => texts.what_or_side,
         }
     }
 }
@@ -114,14 +116,28 @@ const COMMANDS: &[Command] = &[
     Command { name: "pixel", argument: Argument::Pixel, run: pixel },
     Command { name: "play", argument: Argument::Nothing, run: |model, _| go(model, Walk::Play) },
     Command { name: "quit", argument: Argument::Nothing, run: |_, _| Ok(Effect::Leave(Exit::Quit)) },
+    Command { name: "rays", argument: Argument::Nothing, run: |model, _| plainly(drawn::rays_over(model)) },
     Command {
         name: "sampling",
         argument: Argument::Name,
         run: |_, spec| Ok(Effect::Change(Change::Sampling(spec.to_owned()))),
     },
+    Command {
+        name: SCHEMATIC,
+        argument: Argument::Schematic,
+        run: |model, word| plainly(drawn::schematic(model, word)),
+    },
     Command { name: "screenshot", argument: Argument::File, run: |_, path| Ok(Effect::Screenshot(path.to_owned())) },
     Command { name: "search", argument: Argument::Text, run: |model, text| plainly(search::begin(model, text)) },
     Command { name: SET, argument: Argument::Parameter, run: set },
+    Command {
+        name: "shadows",
+        argument: Argument::Nothing,
+        run: |model, _| {
+            drawn::toggle_shadows(model);
+            Ok(Effect::None)
+        },
+    },
     Command { name: "stops", argument: Argument::Nothing, run: |model, _| go(model, Walk::Stops) },
     Command { name: "undo", argument: Argument::Nothing, run: |_, _| Ok(Effect::Change(Change::Undo)) },
     Command { name: "write", argument: Argument::File, run: |_, path| Ok(Effect::Save(path.to_owned())) },
@@ -129,6 +145,9 @@ const COMMANDS: &[Command] = &[
 
 /// The command for parameters of the scene.
 const SET: &str = "set";
+
+/// The command for what the schematic shows, and from where.
+const SCHEMATIC: &str = "schematic";
 
 /// The command for the language.
 const LANG: &str = "lang";
@@ -335,6 +354,10 @@ pub(super) fn completions(model: &Model, purpose: Purpose, text: &str) -> Vec<St
         let words = breakpoint::words(&model.log).into_iter().filter(|word| word.starts_with(text));
         words.map(|word| format!("{before}{word}")).collect()
     };
+    if let (Purpose::Command, Some(begun)) = (purpose, text.strip_prefix("schematic ")) {
+        let words = drawn::words().into_iter().filter(|word| word.starts_with(begun));
+        return words.map(|word| format!("{SCHEMATIC} {word}")).collect();
+    }
     match (purpose, text.strip_prefix("break ")) {
         (Purpose::Break, _) => of_break("", text),
         (Purpose::Command, Some(condition)) => of_break("break ", condition),

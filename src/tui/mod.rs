@@ -12,6 +12,7 @@ mod bookmarks;
 mod breakpoints;
 mod command;
 mod copy;
+mod drawn;
 pub mod dump;
 mod edit;
 mod effect;
@@ -43,6 +44,8 @@ mod tests;
 #[cfg(test)]
 mod tests_picture;
 #[cfg(test)]
+mod tests_schematic;
+#[cfg(test)]
 mod tests_understanding;
 mod text;
 pub mod theme;
@@ -62,6 +65,7 @@ pub use model::jumps::Spot;
 pub use model::list::{Entry, Kind, Listing};
 pub use model::picture::{COARSEST, Dot, Image, Layer, Levels, Named, PictureView, Shows, Wanted};
 pub use model::prompt::{Message, Prompt, Purpose};
+pub use model::schematic::{SchematicView, Shown};
 pub use model::understanding::{Quiz, Understanding};
 pub use model::{Model, Overlay, Pane, Pending};
 pub use theme::{Background, Palette, Theme};

@@ -14,6 +14,7 @@ pub mod layout;
 pub mod list;
 pub mod picture;
 pub mod prompt;
+pub mod schematic;
 pub mod search;
 pub mod understanding;
 mod visible;
@@ -26,7 +27,7 @@ use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
 use changed::Changed;
-use drawing::{Drawing, Projection};
+use drawing::Drawing;
 use facts::Facts;
 use fold::Fold;
 use guide::Guide;
@@ -34,6 +35,7 @@ use jumps::Spot;
 use layout::{Arrangement, Layout};
 use picture::PictureView;
 use prompt::{Message, Prompt};
+use schematic::SchematicView;
 use std::sync::Arc;
 use understanding::Understanding;
 
@@ -68,10 +70,8 @@ pub struct Model {
     pub picture: Option<PictureView>,
     /// The scene as lines, if there is one.
     pub drawing: Option<Arc<Drawing>>,
-    /// From where the schematic is seen.
-    pub projection: Projection,
-    /// How often the schematic is enlarged twofold.
-    pub magnification: u32,
+    /// How the schematic is looked at.
+    pub schematic: SchematicView,
     /// What was typed and isn't a key yet.
     pub pending: Pending,
     /// What lies over the panes.
@@ -149,8 +149,7 @@ impl Model {
             shift: 0,
             picture: None,
             drawing: None,
-            projection: Projection::Top,
-            magnification: 0,
+            schematic: SchematicView::default(),
             pending: Pending::default(),
             overlay: None,
             prompt: None,

@@ -6,6 +6,7 @@ use super::keys::{Action, Walk};
 use super::model::drawing::Projection;
 use super::model::layout::Layout;
 use super::model::picture::MOST_ZOOM;
+use super::model::schematic::Shown;
 use super::model::{Model, Pane};
 use std::cmp::Ordering;
 
@@ -100,15 +101,16 @@ pub(super) fn in_schematic(model: &mut Model, action: Action) -> Option<Effect> 
     if model.focus != Pane::Schematic {
         return None;
     }
+    let view = &mut model.schematic;
     match action {
+        Action::NextView if view.shown == Shown::Vectors => model.say(model.texts().panes.schematic.own_plane),
         Action::NextView => {
-            model.projection = model.projection.next();
-            if model.projection == Projection::Camera && model.drawing.is_none() {
-                model.projection = Projection::Top;
-            }
+            let next = model.side().next();
+            let is_known = next != Projection::Camera || model.drawing.is_some();
+            model.schematic.side = Some(if is_known { next } else { next.next() });
         }
-        Action::ZoomIn => model.magnification = (model.magnification + 1).min(MOST_MAGNIFICATION),
-        Action::ZoomOut => model.magnification = model.magnification.saturating_sub(1),
+        Action::ZoomIn => view.magnification = (view.magnification + 1).min(MOST_MAGNIFICATION),
+        Action::ZoomOut => view.magnification = view.magnification.saturating_sub(1),
         _ => return None,
     }
     Some(Effect::None)

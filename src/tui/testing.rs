@@ -47,6 +47,16 @@ pub(super) fn lit_from_behind() -> Log {
     record::pixel(&scene(text), [160, 120], Arithmetic::F64)
 }
 
+/// A mirror that shows a lamp, with all directions in the plane x = 0.
+pub(super) fn reflecting() -> Log {
+    let text = r#"{
+      "format": "raywalk-scene/1", "name": "reflecting", "camera": {"position": [0, 3, 4], "look_at": [0, 0, 0], "resolution": [1, 1]},
+      "lights": [{"name": "lamp", "point": {"position": [0, -2, 2]}}],
+      "materials": {"mirror": {"specular": [0.5, 0.5, 0.5], "weights": {"local": 0.5, "reflected": 0.5}}},
+      "objects": [{"name": "wall", "shape": {"plane": {"coefficients": [0, 0, 1, 0]}}, "material": "mirror"}]}"#;
+    record::pixel(&scene(text), [0, 0], Arithmetic::F64)
+}
+
 /// A ray that hits a disk and a polygon behind it, which name more quantities after the distance.
 pub(super) fn flat() -> Log {
     let text = r#"{

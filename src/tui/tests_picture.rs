@@ -354,10 +354,10 @@ fn the_letter_of_a_ray_stays_on_the_screen() {
         model.focus_on(Pane::Schematic);
         model.is_alone = true;
         for _ in 0..2 {
-            model.magnification = 0;
+            model.schematic.magnification = 0;
             for _ in 0..=10 {
                 let found = letter(&model);
-                assert_eq!(found.as_deref(), Some(expected), "{:?} x2^{}", model.projection, model.magnification);
+                assert_eq!(found.as_deref(), Some(expected), "{:?} x2^{}", model.side(), model.schematic.magnification);
                 typed(&mut model, "i");
             }
             typed(&mut model, "v");

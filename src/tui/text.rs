@@ -136,6 +136,16 @@ fn plain(character: char) -> Option<&'static str> {
         'Σ' => "sum",
         '⁺' => "+",
         '′' => "'",
+        '₀' => "0",
+        '₁' => "1",
+        '₂' => "2",
+        '₃' => "3",
+        '₄' => "4",
+        '₅' => "5",
+        '₆' => "6",
+        '₇' => "7",
+        '₈' => "8",
+        '₉' => "9",
         'η' => "eta",
         'φ' => "phi",
         'τ' => "tau",
@@ -233,6 +243,7 @@ mod tests {
     #[test]
     fn formulas_in_ascii() {
         assert_eq!(ascii("√(η² − |d|²)/10⁻¹²"), "sqrt(eta^2 - |d|^2)/10^-12");
+        assert_eq!(ascii("P₀ P₁₂, H′₁"), "P0 P12, H'1");
         assert_eq!(ascii("ж→x"), "?->x");
         assert_eq!(ascii("ه\u{200c}ی"), "??");
         assert_eq!(ascii("¿decisión? píxel, señal"), "decision? pixel, senal");

@@ -8,7 +8,7 @@ use super::model::prompt::{Prompt, Purpose};
 use super::model::{Model, Overlay, Pane};
 use super::steps::{self, Stop};
 use super::view::{self, help};
-use super::{command, jumps, list, mouse, panes, play, prompt, quiz, understanding, walk};
+use super::{command, drawn, jumps, list, mouse, panes, play, prompt, quiz, understanding, walk};
 use crate::log::tree::Item;
 use ratatui::layout::Position;
 
@@ -48,7 +48,9 @@ fn by_key(model: &mut Model, action: Action) -> Effect {
 }
 
 fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
-    let special = panes::in_picture(model, action, count).or_else(|| panes::in_schematic(model, action));
+    let special = panes::in_picture(model, action, count)
+        .or_else(|| panes::in_schematic(model, action))
+        .or_else(|| drawn::update(model, action));
     if let Some(effect) = special {
         return effect;
     }
@@ -123,6 +125,7 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
                 Effect::None
             });
         }
+        Action::Schematic | Action::ShadowRays | Action::RaysOver => model.say(model.texts().messages.other_pane),
         Action::Unknown => model.say(model.texts().messages.no_key),
         Action::Digit(_) | Action::Prefix(_) | Action::Resize(..) | Action::Typed(_) => {}
     }

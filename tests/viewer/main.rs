@@ -16,6 +16,7 @@ mod planes;
 mod questions;
 #[cfg(unix)]
 mod saved;
+mod schematic;
 mod spanish;
 #[cfg(unix)]
 mod terminal;

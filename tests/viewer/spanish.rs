@@ -129,7 +129,7 @@ fn the_walk_as_text_is_the_log_as_text() {
 }
 
 /// Keys that lead to every pane, list, line and message; each is tried at several sizes.
-const EVERYWHERE: [&str; 75] = [
+const EVERYWHERE: [&str; 80] = [
     "",
     "28n",
     "j",
@@ -146,6 +146,11 @@ const EVERYWHERE: [&str; 75] = [
     "Shift-Tab v v",
     "Shift-Tab v v v",
     "Shift-Tab v v v v",
+    "Shift-Tab A",
+    "Tab Tab Tab j Z",
+    "Tab Tab Tab j Z Z",
+    "Tab Tab Tab Z Z v",
+    "Tab Tab Tab j X v v",
     "Shift-Tab ) l",
     "Shift-Tab g",
     "Shift-Tab 999k",
@@ -208,7 +213,7 @@ const EVERYWHERE: [&str; 75] = [
 ];
 
 /// Lines that are typed, right and wrong.
-const LINES: [&str; 41] = [
+const LINES: [&str; 43] = [
     "/",
     "/zzz Enter",
     "/sphere Enter 9;",
@@ -224,6 +229,8 @@ const LINES: [&str; 41] = [
     ":hlep Enter",
     ":help x Enter",
     ":999 Enter",
+    ":schematic Space zzz Enter",
+    ":rays Enter",
     ":bookmark ab Enter",
     ":pixel 0,5 Enter",
     ":pixel 1,5 Enter",
@@ -374,8 +381,10 @@ impl Foreign {
     }
 }
 
-/// The names of keys, and words of breakpoints that are proposed.
-const TYPED: [&str; 8] = ["down", "left", "right", "home", "space", "enter", "camera", "kind"];
+/// The names of keys, and words of breakpoints and commands that are proposed.
+const TYPED: [&str; 13] = [
+    "down", "left", "right", "home", "space", "enter", "camera", "kind", "branch", "pixel", "vectors", "front", "side",
+];
 
 /// A format string without the names of what is put into it.
 fn without_names(text: &str) -> String {

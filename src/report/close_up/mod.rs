@@ -7,6 +7,7 @@
 mod hit;
 mod labels;
 mod light;
+mod one_plane;
 mod sheet;
 mod svg;
 mod table;
@@ -15,6 +16,7 @@ mod vectors;
 mod zones;
 
 pub use light::light;
+pub use one_plane::{Arrow, Bend, OnePlane, one_plane};
 pub use sheet::{Ink, Piece, Point, Sheet};
 pub use svg::svg;
 pub use table::text;

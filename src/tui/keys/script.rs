@@ -144,7 +144,7 @@ mod tests {
         assert_eq!(unknown_name("n<Nope>"), Some("Nope"));
         assert_eq!(unknown_name("<Tab><Retrun>x"), Some("Retrun"));
         assert_eq!(unknown_name("nn Retrun"), Some("Retrun"));
-        assert_eq!(unknown_name("Zyxwv nn"), Some("Zyxwv"));
+        assert_eq!(unknown_name("Fyxwv nn"), Some("Fyxwv"));
         assert_eq!(unknown_name("/ plane Enter Spcae"), Some("Spcae"));
         for fine in [
             "/ Sphere Enter n",

@@ -68,9 +68,9 @@ fn pairs_and_what_only_looks_like_one() {
     does("", "z", Prefix('z'));
     does("z", "z", Center);
     does("z", "j", Unknown);
-    does("", "Z", Unknown);
+    does("", "&", Unknown);
     does("", "^", Unknown);
-    does("", "X", Unknown);
+    does("", "~", Unknown);
 }
 
 #[test]

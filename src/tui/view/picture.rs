@@ -1,6 +1,6 @@
 //! The picture, two dots to a character: half blocks, or shades where there are no colours.
 
-use super::{put, title};
+use super::{over_picture, put, title};
 use crate::log::{Decision, RayKind, Value, What};
 use crate::report::words;
 use crate::tui::model::layout::Layout;
@@ -27,6 +27,8 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
             target.set_symbol(symbol).set_style(style);
         }
     }
+    let ground = |[column, row]: [u16; 2]| brush.ground([column.into(), 2 * u32::from(row)]);
+    over_picture::draw(model, view, theme, dots, &ground, buffer);
     draw_bar(model, &brush, area, buffer);
     let below = Rect { y: dots.bottom(), height: body.height - dots.height, ..body };
     put(buffer, below, Line::raw(shown(&under_cursor(model, view, usize::from(below.width)), theme)));
@@ -201,6 +203,21 @@ impl Brush<'_> {
             (None, below) => ("▄", Style::reset().fg(colored(below))),
             (above, below) => ("▀", Style::reset().fg(colored(above)).bg(colored(below))),
         })
+    }
+
+    /// The colour of a cell as one, and whether it is bright; `None` outside the picture.
+    fn ground(&self, [column, row]: [u32; 2]) -> Option<(Color, bool)> {
+        let is_inside = |row: &u32| self.view.pixel_under(self.screen, [column, *row]).is_some();
+        let of_dot = |row: u32| self.view.area_under(self.screen, [column, row]).and_then(|area| self.color(area));
+        // What isn't there yet is black.
+        let dots = [row, row + 1].into_iter().filter(is_inside);
+        let colors: Vec<[u8; 3]> = dots.map(|row| of_dot(row).unwrap_or_default()).collect();
+        let count = u32::try_from(colors.len()).ok().filter(|count| *count > 0)?;
+        let mean = std::array::from_fn(|channel| {
+            (colors.iter().map(|color| u32::from(color[channel])).sum::<u32>() / count) as u8
+        });
+        let behind = if self.has_shades() { Color::Reset } else { self.terminal_color(mean) };
+        Some((behind, luminance(mean) > 0.5))
     }
 
     /// Whether there are no colours to draw with.

@@ -6,6 +6,7 @@ use crate::report::language::viewer::Viewer;
 use crate::report::tag::{is_left_out, tag};
 use crate::tui::keys;
 use crate::tui::model::prompt::Prompt;
+use crate::tui::model::schematic::Shown;
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{counted, shown, width_of};
 use crate::tui::theme::{Role, Theme};
@@ -120,6 +121,7 @@ fn hints(model: &Model, room: usize) -> String {
         Pane::Tree => hints.tree,
         Pane::Computation => hints.computation,
         Pane::Picture => hints.picture,
+        Pane::Schematic if model.schematic.shown == Shown::Vectors => hints.vectors,
         Pane::Schematic => hints.schematic,
         Pane::Code => hints.code,
     };

@@ -73,6 +73,18 @@ texts! {
     decimals: fn(u32) -> String =
         |count| if count == 1 { "1 decimal".to_owned() } else { format!("{count} decimals") },
         |count| if count == 1 { "1 decimal".to_owned() } else { format!("{count} decimales") };
+    /// What represents what the schematic shows, or the side from which it is seen.
+    what_or_side = "WHAT|SIDE", "QUÉ|LADO";
+    /// What follows `schematic`.
+    unknown_schematic: fn(&str, Option<&str>, &str) -> String =
+        |word, near, words| match near {
+            Some(near) => format!("no schematic {word}; did you mean {near}? There are {words}"),
+            None => format!("no schematic {word}; there are {words}"),
+        },
+        |word, near, words| match near {
+            Some(near) => format!("no hay esquema {word}; ¿quiso decir {near}? Hay {words}"),
+            None => format!("no hay esquema {word}; hay {words}"),
+        };
     /// What follows `lang`.
     expected_language = "expected a language: :lang en or :lang es", "se espera un idioma: :lang en o :lang es";
     /// The first and last columns and rows of the log.

@@ -89,8 +89,13 @@ named_texts! {
     brighter = "brighter by half a stop", "medio punto de exposición más";
     darker = "darker by half a stop", "medio punto de exposición menos";
     next_view =
-        "another view: colours, depth, rays, samples; top, front, camera",
-        "otra vista: colores, profundidad, rayos, muestras; desde arriba, de frente, desde el ojo";
+        "another view: colours, depth, rays, samples; top, front, side, eye",
+        "otra vista: colores, profundidad, rayos, muestras; desde arriba, de frente, de lado, desde el ojo";
+    schematic =
+        "what the schematic shows: this branch, all rays, the vectors at the hit",
+        "qué muestra el esquema: esta rama, todos los rayos, los vectores en la intersección";
+    shadow_rays = "shadow rays in the schematic, or not", "rayos de sombra en el esquema, o no";
+    rays_over = "the rays over the picture, or not", "los rayos sobre la imagen, o no";
     cell_left =
         "H J K L: left, down, up, right by a cell of the screen; + and -: to the greatest and the least value, in colours the brightest and the darkest pixel",
         "H J K L: a la izquierda, abajo, arriba, a la derecha una celda de la pantalla; + y -: al valor mayor y al menor, en colores al píxel más claro y al más oscuro";

@@ -72,6 +72,20 @@ texts! {
     no_editor(why: &str) = "can't run $EDITOR: {why}", "no se puede ejecutar $EDITOR: {why}";
     /// The titles of what was before a change, and of what is now.
     before_and_now: [&'static str; 2] = ["before", "now"], ["antes", "ahora"];
+    /// Whether shadow rays are drawn: no, yes.
+    shadows: [&'static str; 2] =
+        ["without shadow rays", "with shadow rays"],
+        ["sin rayos de sombra", "con rayos de sombra"];
+    /// Whether rays are drawn over the picture: no, yes.
+    rays_over: [&'static str; 2] =
+        ["no rays over the picture", "rays over the picture"],
+        ["sin rayos sobre la imagen", "rayos sobre la imagen"];
+    /// There is no picture to draw them over.
+    no_picture = "there is no picture: a saved log has no scene", "no hay imagen: un registro guardado no tiene escena";
+    /// Nor is there an eye to look from.
+    no_eye =
+        "the view from the eye needs the scene, which a saved log lacks",
+        "la vista desde el ojo necesita la escena, que un registro guardado no tiene";
     /// The key is for other panes.
     other_pane =
         "that is for the picture and the schematic; Tab goes there",

@@ -71,12 +71,16 @@ texts! {
         &["n siguiente", "d de qué", "D para qué", "a cifras", "j k mueven", "V símbolos", "W redondeo", "p anterior", "y copia", "Tab panel"];
     /// In the picture.
     picture: &'static [Text] =
-        &["h j k l pixel", "H J K L cell", "Enter tree", "v layers", "i I zoom", "( ) exposure", "w why", "Tab pane"],
-        &["h j k l píxel", "H J K L celda", "Enter árbol", "v capas", "i I zoom", "( ) exposición", "w por qué", "Tab panel"];
+        &["h j k l pixel", "H J K L cell", "Enter tree", "v layers", "i I zoom", "A rays", "( ) exposure", "w why", "Tab pane"],
+        &["h j k l píxel", "H J K L celda", "Enter árbol", "v capas", "i I zoom", "A rayos", "( ) exposición", "w por qué", "Tab panel"];
     /// In the schematic.
     schematic: &'static [Text] =
-        &["v turn", "i I zoom", "n next value", "} next ray", "Tab pane"],
-        &["v gira", "i I zoom", "n siguiente", "} rayo siguiente", "Tab panel"];
+        &["v turn", "Z what", "X shadow rays", "i I zoom", "n next value", "} next ray", "Tab pane"],
+        &["v gira", "Z qué", "X sombras", "i I zoom", "n siguiente", "} rayo siguiente", "Tab panel"];
+    /// In the schematic while it shows vectors.
+    vectors: &'static [Text] =
+        &["Z rays", "} next ray", "n next value", "Tab pane"],
+        &["Z rayos", "} rayo siguiente", "n siguiente", "Tab panel"];
     /// In the algorithm.
     code: &'static [Text] =
         &["n next value", "] next event", "} next ray", "p previous", "Tab pane"],
@@ -201,12 +205,28 @@ texts! {
 texts! {
     /// The texts of the schematic.
     Schematic;
-    /// From where it is seen: from above, from the front, from the eye.
-    views: [Text; 3] =
-        ["schematic from above", "schematic from the front", "schematic from the eye"],
-        ["esquema desde arriba", "esquema de frente", "esquema desde el ojo"];
-    /// The key that turns it.
-    turns = "v turns", "v gira";
+    /// From where it is seen: from above, from the front, from the right, from the eye.
+    views: [Text; 4] =
+        ["schematic from above", "schematic from the front", "schematic from the side", "schematic from the eye"],
+        ["esquema desde arriba", "esquema de frente", "esquema de lado", "esquema desde el ojo"];
+    /// What it shows: the rays to the selected node and below it, all of the pixel, the vectors at the hit.
+    shown: [Text; 3] =
+        ["this branch", "all rays", "vectors at the hit"],
+        ["esta rama", "todos los rayos", "vectores en la intersección"];
+    /// Shadow rays are drawn, too.
+    with_shadows = ", shadow rays", ", rayos de sombra";
+    /// The keys that change it.
+    turns = "v turns, Z rays", "v gira, Z rayos";
+    /// The vectors at a point, which a ray hits.
+    vectors(point: &str, path: &str) = "vectors at {point} ({path})", "vectores en {point} ({path})";
+    /// The selected node belongs to no hit.
+    no_hit = "nothing is hit here", "aquí no se interseca nada";
+    /// The pane is too small.
+    too_small = "too small", "sin espacio";
+    /// What they can't be seen from.
+    own_plane = "the vectors are drawn in a plane of their own", "los vectores se dibujan en un plano propio";
+    /// An arrow is drawn shorter than the vector is.
+    out_of_plane = "short arrows point out of the plane", "las flechas cortas salen del plano";
     /// There is no ray to be drawn.
     no_rays = "the log has no rays here", "el registro no tiene rayos aquí";
     /// The rays are too long to be drawn.
