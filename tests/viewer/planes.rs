@@ -75,7 +75,15 @@ impl Live for Example {
 
 fn options(language: Language) -> Options {
     let theme = Theme::new(Palette::Indexed, false);
-    Options { theme, start: None, warning: None, note: None, numbers: Default::default(), language }
+    Options {
+        theme,
+        start: None,
+        warning: None,
+        note: None,
+        numbers: Default::default(),
+        controls: Default::default(),
+        language,
+    }
 }
 
 fn after(keys: &str, size: (u16, u16), language: Language) -> Model {

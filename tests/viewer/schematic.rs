@@ -18,7 +18,15 @@ impl Live for Example {
     fn picture(&mut self, _: Wanted) -> Option<Arc<Image>> {
         let mut image = Image::empty([320, 240], Arc::new(|color, _| color.map(|part| part as u8)));
         let color = [30.0, 40.0, 50.0];
-        image.dots.fill(Some(Dot { color, depth: Some(1.0), rays: 3, samples: 1, error: Some(0.0), is_rough: false }));
+        image.dots.fill(Some(Dot {
+            color,
+            depth: Some(1.0),
+            rays: 3,
+            samples: 1,
+            error: Some(0.0),
+            is_rough: false,
+            named: None,
+        }));
         Some(Arc::new(image))
     }
 
@@ -61,6 +69,7 @@ fn frames_of_rays_and_vectors() {
                         warning: None,
                         note: None,
                         numbers: Default::default(),
+                        controls: Default::default(),
                         language,
                     };
                     let mut example = Example;
