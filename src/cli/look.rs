@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn a_theme_has_its_palette() {
-        let look = |theme| Look { ascii: false, theme }.in_picture();
+        let look = |theme| Look { ascii: None, theme: Some(theme) }.in_picture();
         assert_eq!(look(ThemeChoice::Light).background, Background::Light);
         assert_eq!(look(ThemeChoice::Auto), Theme::new(Palette::True, false));
         assert_eq!(look(ThemeChoice::Sixteen).palette, Palette::Sixteen);

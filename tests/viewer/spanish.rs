@@ -314,7 +314,7 @@ fn strings_by_language() -> [Vec<String>; 2] {
 /// Where the Spanish texts of a file's tables are.
 fn spanish_parts(file: &SourceFile) -> Vec<Range<usize>> {
     let mut parts = Vec::new();
-    for table in file.find("texts! {") {
+    for table in file.find("texts! {").chain(file.find("named_texts! {")) {
         let (mut depth, mut is_in_parameters) = (0, false);
         // Where the row's Spanish text begins, and the last character but for spaces.
         let (mut spanish, mut before) = (None, ' ');
