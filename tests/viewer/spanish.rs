@@ -50,17 +50,8 @@ fn by_hand() -> Log {
 }
 
 fn options(palette: Palette, ascii: bool) -> Options {
-    let theme = Theme::new(palette, ascii);
-    let language = Language::Spanish;
-    Options {
-        theme,
-        start: None,
-        warning: None,
-        note: None,
-        numbers: Default::default(),
-        language,
-        controls: Default::default(),
-    }
+    let (theme, language, controls) = (Theme::new(palette, ascii), Language::Spanish, Default::default());
+    Options { theme, start: None, warning: None, note: None, numbers: Default::default(), language, controls }
 }
 
 /// The frame of a log after these keys, with a scene behind it or without.
