@@ -1,6 +1,10 @@
 //! What the viewer saves: screenshots, the log in other formats, notes.
 
 use crate::session::Session;
+use crate::support;
+use raywalk::record::{self, Arithmetic};
+use raywalk::report::Language;
+use raywalk::tui::{self, Controls, Options, Palette, Theme, dump};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -157,6 +161,28 @@ fn notes_are_kept_beside_a_saved_log() {
     session.press("q");
     session.hides("Bookmarks");
     leave(session);
+}
+
+/// The list of bookmarks with a note, at three sizes in both languages.
+#[test]
+fn notes_in_the_list() {
+    let mut frames = String::new();
+    for (language, note) in [(Language::English, "why so dark?"), (Language::Spanish, "¿por qué tan oscuro?")] {
+        for (width, height) in [(40, 12), (80, 24), (120, 40)] {
+            let theme = Theme::new(Palette::None, false);
+            let numbers = Default::default();
+            let controls = Controls::default();
+            let options = Options { theme, start: None, warning: None, note: None, numbers, language, controls };
+            let log = record::pixel(&support::scene("textbook"), [160, 120], Arithmetic::Decimal(3));
+            let keys = format!("5n mb 4n :note {note} <Enter> M");
+            let model = tui::opened_with_keys(log, &options, None, &keys, (width, height));
+            let text = dump::text(&tui::frame(&model, width, height, &theme));
+            // The panes below it are those of other frames.
+            let list = text.lines().filter(|line| line.contains("──") || line.contains(['▶', '?']));
+            frames += &format!("{}:\n{}\n", language.code(), list.collect::<Vec<_>>().join("\n"));
+        }
+    }
+    support::snapshots().bind(|| insta::assert_snapshot!("viewer_notes", frames));
 }
 
 /// A log that has changed is noticed, and notes find their places by their addresses.

@@ -50,17 +50,8 @@ fn by_hand() -> Log {
 }
 
 fn options(palette: Palette, ascii: bool) -> Options {
-    let theme = Theme::new(palette, ascii);
-    let language = Language::Spanish;
-    Options {
-        theme,
-        start: None,
-        warning: None,
-        note: None,
-        numbers: Default::default(),
-        language,
-        controls: Default::default(),
-    }
+    let (theme, language, controls) = (Theme::new(palette, ascii), Language::Spanish, Default::default());
+    Options { theme, start: None, warning: None, note: None, numbers: Default::default(), language, controls }
 }
 
 /// The frame of a log after these keys, with a scene behind it or without.
@@ -321,7 +312,7 @@ fn strings_by_language() -> [Vec<String>; 2] {
 /// Where the Spanish texts of a file's tables are.
 fn spanish_parts(file: &SourceFile) -> Vec<Range<usize>> {
     let mut parts = Vec::new();
-    for table in file.find("texts! {") {
+    for table in file.find("texts! {").chain(file.find("named_texts! {")) {
         let (mut depth, mut is_in_parameters) = (0, false);
         // Where the row's Spanish text begins, and the last character but for spaces.
         let (mut spanish, mut before) = (None, ' ');

@@ -34,8 +34,10 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     put(buffer, below, Line::raw(shown(&under_cursor(model, view, usize::from(below.width)), theme)));
 }
 
-/// The columns of the colour bar.
-const BAR: u16 = 12;
+/// The columns of the colour bar: fewer beside the key of a quantity, so that a small screen has room for both ends.
+fn columns_of_bar(view: &PictureView) -> u16 {
+    if view.layer == Layer::Named { 6 } else { 12 }
+}
 
 /// The colour bar in the rule above a picture in false colours, where the name leaves blanks for it.
 fn draw_bar(model: &Model, brush: &Brush, area: Rect, buffer: &mut Buffer) {
@@ -43,10 +45,11 @@ fn draw_bar(model: &Model, brush: &Brush, area: Rect, buffer: &mut Buffer) {
         return;
     }
     let name = name(model, brush.view, brush.range, brush.theme);
-    let Some(before) = name.split(&bar()).next().filter(|before| before.len() < name.len()) else { return };
+    let Some(before) = name.split(&bar(brush.view)).next().filter(|before| before.len() < name.len()) else { return };
     let start = area.x.saturating_add(3 + width_of(before) as u16);
-    for column in 0..BAR {
-        let color = false_color(f64::from(column) / f64::from(BAR - 1));
+    let columns = columns_of_bar(brush.view);
+    for column in 0..columns {
+        let color = false_color(f64::from(column) / f64::from(columns - 1));
         let place = Rect { x: start.saturating_add(column), width: 1, height: 1, ..area }.intersection(area);
         let symbol = if brush.has_shades() { brush.shade(luminance(color)) } else { "█" };
         let style = Style::reset().fg(brush.terminal_color(color));
@@ -59,15 +62,15 @@ fn draw_bar(model: &Model, brush: &Brush, area: Rect, buffer: &mut Buffer) {
 }
 
 /// The blanks that the colour bar takes.
-fn bar() -> String {
-    " ".repeat(usize::from(BAR))
+fn bar(view: &PictureView) -> String {
+    " ".repeat(usize::from(columns_of_bar(view)))
 }
 
 fn name(model: &Model, view: &PictureView, range: Option<[f64; 2]>, theme: &Theme) -> String {
     let figure = |value| model.language.marked(figure(value));
     let mut name = view.title(model.language).to_owned();
     if let Some([least, greatest]) = range {
-        name += &format!(" {} {} {}", figure(least), bar(), figure(greatest));
+        name += &format!(" {} {} {}", figure(least), bar(view), figure(greatest));
     }
     if let (Some(shows), texts) = (view.shows_named(), &model.texts().panes.picture) {
         if view.image.lacks_named() {

@@ -132,7 +132,7 @@ fn a_way_out_is_left() {
 #[test]
 fn what_is_no_toml_is_said_with_its_place() {
     is_wrong("theme = dark", &[(1, 9, "")]);
-    is_wrong("a\u{0}", &[(1, 2, "")]);
+    is_wrong("a\u{0} = 1", &[(1, 2, "invalid unquoted key")]);
     let error = config(b"theme = \"\xff\"", "config.toml").expect_err("it is no text");
     assert_eq!(error.report(false).lines().next(), Some("error: config.toml:1:10: expected text in UTF-8"));
     // However deep it goes, it ends.
