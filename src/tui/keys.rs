@@ -177,7 +177,7 @@ pub fn meant(model: &Model, key: KeyEvent) -> Option<Action> {
 
 /// What a key does only in a list.
 fn in_list(model: &Model, key: KeyEvent) -> Option<Action> {
-    let is_list = matches!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, .. }));
+    let is_list = matches!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints | Kind::Watches, .. }));
     let is_delete = key.code == KeyCode::Char('d') && key.modifiers.is_empty() && key.kind != KeyEventKind::Release;
     (is_list && is_delete).then_some(Walk(Walk::Delete))
 }

@@ -5,7 +5,7 @@ use super::keys::{Action, Walk};
 use super::listing::listing;
 use super::model::list::{Entry, Kind};
 use super::model::{Model, Overlay};
-use super::{breakpoints, jumps, run, view};
+use super::{breakpoints, jumps, run, view, watch};
 use ratatui::layout::Position;
 
 /// How many columns of the screen a list is scrolled at once.
@@ -25,6 +25,8 @@ pub(super) fn update(
         (Action::In | Action::Enter, Kind::Breakpoints) => breakpoints::go_to_next(model, selected),
         (Action::Toggle, Kind::Breakpoints) => breakpoints::turn(model, selected),
         (Action::Walk(Walk::Delete), Kind::Breakpoints) => breakpoints::delete(model, selected),
+        (Action::In | Action::Enter, Kind::Watches | Kind::History) => watch::enter(model, kind, selected),
+        (Action::Walk(Walk::Delete), Kind::Watches) => watch::delete(model, selected),
         (Action::In | Action::Enter, Kind::Stops) => return run::go_to(model, selected),
         (Action::In | Action::Enter, _) => {
             let selected = listing.entries.get(selected).filter(|entry| entry.leads());

@@ -2,14 +2,20 @@
 
 use super::model::list::{Entry, Kind, Listing};
 use super::model::{Model, Overlay};
-use super::{bookmarks, breakpoints, run};
+use super::model::watch::Watched;
+use super::{bookmarks, breakpoints, run, watch};
 
 /// The list of this kind.
 pub fn listing(model: &Model, kind: Kind) -> Listing {
     let texts = &model.texts().lists;
     match kind {
-        Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints_title, &[], breakpoints::entries(model)),
+        Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints_title, &[1, 2], breakpoints::entries(model)),
         Kind::Stops => Listing::of(&texts.stops, texts.stops_title, &[0], run::entries(model)),
+        Kind::Watches => Listing::of(&texts.watches, texts.watches_title, &[0], watch::entries(model, kind)),
+        Kind::History => {
+            let name = model.guide.watches.history.as_ref().map(Watched::shown).unwrap_or_default();
+            Listing::of(&texts.history, (texts.history_title)(&name), &[0], watch::entries(model, kind))
+        }
         Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks_title, &[], bookmarks::entries(model)),
         _ => {
             // Made when it was opened.

@@ -15,6 +15,7 @@ mod copy;
 pub mod dump;
 mod edit;
 mod effect;
+mod eval;
 mod glossary;
 mod jumps;
 pub mod keys;
@@ -48,6 +49,7 @@ mod understanding;
 mod update;
 mod view;
 mod walk;
+mod watch;
 
 pub use effect::{Change, Effect, Exit};
 pub use keys::{Action, Walk};

@@ -10,6 +10,10 @@ pub enum Kind {
     Breakpoints,
     /// Where they have stopped.
     Stops,
+    /// The quantities that are watched.
+    Watches,
+    /// All values of a quantity.
+    History,
     /// The bookmarks.
     Bookmarks,
     /// What the value at the current step is made of.
@@ -35,6 +39,7 @@ impl Kind {
     pub fn hints(self, hints: &'static Hints) -> &'static [&'static str] {
         match self {
             Kind::Breakpoints => &hints.breakpoints,
+            Kind::Watches => &hints.watches,
             _ => &[],
         }
     }

@@ -39,7 +39,7 @@ texts! {
     run = "Run and play", "Ejecutar y reproducir";
     find = "Find", "Buscar";
     keep = "Remember and copy", "Recordar y copiar";
-    breakpoints = "In the list of breakpoints", "En la lista de puntos de interrupción";
+    breakpoints = "In the lists of breakpoints and watches", "En las listas de puntos de interrupción y vigilancias";
 }
 
 texts! {
@@ -141,6 +141,8 @@ texts! {
     run = "run to the next breakpoint (c folds)", "ejecutar hasta el siguiente punto de interrupción (c pliega)";
     run_back = "run back to the previous breakpoint", "volver hasta el punto de interrupción anterior";
     stops = "list where the runs stopped", "lista de dónde se ha parado la ejecución";
+    watch = "watch the quantity computed here, or no longer; :watch lists all", "vigilar la magnitud que se calcula aquí, o ya no; :watch las enumera";
+    history = "all values of this quantity in the pixel", "todos los valores de esta magnitud en el píxel";
     play = "play, value by value; again to stop", "reproducir, valor a valor; otra vez para parar";
     faster = "play twice as fast", "reproducir el doble de rápido";
     slower = "play half as fast", "reproducir la mitad de rápido";
@@ -168,6 +170,6 @@ texts! {
     edit = "open the scene in $EDITOR, at the object of this step", "abrir la escena en $EDITOR, en el objeto de este paso";
     mouse = "let the mouse select and scroll, or not", "que el ratón seleccione y desplace, o no";
     delete =
-        "delete it; Space turns it on or off, Enter goes to its next place",
-        "lo borra; Space lo activa o desactiva, Enter va al siguiente lugar";
+        "delete it; Space turns a breakpoint on or off, Enter goes to its next place",
+        "lo borra; Space activa o desactiva un punto de interrupción, Enter va al siguiente lugar";
 }

@@ -24,16 +24,29 @@ pub fn find(word: &str) -> Option<&'static str> {
     WORDS.iter().copied().find(|known| *known == word)
 }
 
+/// Whether a kind is that of a node.
+pub fn is_node(word: &str) -> bool {
+    nodes().any(|node| node == word)
+}
+
 /// Whether a kind is seen without knowing what was decided: that of a node, and the result.
 pub fn is_open(word: &str) -> bool {
-    word == RESULT || nodes().any(|node| node == word)
+    word == RESULT || is_node(word)
+}
+
+/// The kinds of a node, the narrower one last.
+pub fn of_step(step: &Step) -> ArrayVec<&'static str, 2> {
+    let of_ray = match step {
+        Step::Ray { kind, .. } => Some(kind.word()),
+        _ => None,
+    };
+    [Some(step.word()), of_ray].into_iter().flatten().collect()
 }
 
 /// The kinds of an event, the narrower one last; none for a computed value and for the end of a node.
 pub fn of(what: &What) -> ArrayVec<&'static str, 2> {
     let of_log = match what {
-        What::Enter { step: step @ Step::Ray { kind, .. }, .. } => [Some(step.word()), Some(kind.word())],
-        What::Enter { step, .. } => [Some(step.word()), None],
+        What::Enter { step, .. } => return of_step(step),
         What::Mark(decision @ Decision::Miss { why }) => [Some(decision.word()), Some(why.word())],
         What::Mark(decision) => [Some(decision.word()), None],
         What::Result { .. } => [Some(RESULT), None],
