@@ -5,10 +5,11 @@ use super::model::list::{Entry, Kind, MOST, cells};
 use super::model::quantity::{self, Part};
 use super::model::watch::{Spread, Watched};
 use super::model::{Model, Overlay};
+use super::text::counted;
 use super::theme::{self, Role};
 use crate::files::suggest;
 use crate::log::scope::Operand;
-use crate::log::{Name, Value, What};
+use crate::log::{Name, Value};
 use crate::report::words::plain;
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -242,10 +243,12 @@ fn entry(model: &Model, watched: &Watched, row: &Row) -> Entry {
             let glyphs = if model.is_ascii { &theme::ASCII } else { &theme::UNICODE };
             let is_changed = model.changed.events.contains(&event);
             let step = format!("{}{}", if is_changed { glyphs.differs } else { "" }, event + 1);
-            let is_given = !matches!(model.log.events[event].what, What::Note { .. });
+            let noted = model.log.events[event].noted();
+            let is_given = noted.is_none_or(|(name, _)| !watched.names.contains(&name));
             let given = if is_given { texts.given } else { "" };
-            let path = model.tree.shown_path(node);
-            let text = cells([step, value, super::text::counted(&path), model.title(node), given.to_owned()]);
+            let path = counted(&model.tree.shown_path(node));
+            let path = model.pixel_of(event).map_or(path.clone(), |[x, y]| format!("{x},{y} {path}"));
+            let text = cells([step, value, path, model.title(node), given.to_owned()]);
             let is_here = here(model, watched).is_some_and(|here| here.event == event);
             Entry { role: if is_here { Role::Current } else { Role::Text }, ..Entry::to(event, text) }
         }
@@ -317,3 +320,6 @@ pub(super) fn delete(model: &mut Model, selected: usize) {
 fn rows_of(model: &Model) -> Vec<usize> {
     rows(model, Kind::Watches).iter().map(|row| row.watched).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,6 +6,8 @@ mod parse;
 mod term;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_compound;
 
 pub use condition::Condition;
 pub use parse::{completions, parse};

@@ -26,15 +26,6 @@ impl Part {
             _ => None,
         }
     }
-
-    /// What of a quantity with this name it is: `N·L`, `N.x`, `|N|`.
-    pub fn of_name(self, name: &str) -> String {
-        match self {
-            Part::Whole => name.to_owned(),
-            Part::Component(index) => format!("{name}.{}", ["x", "y", "z"][index.min(2)]),
-            Part::Length => format!("|{name}|"),
-        }
-    }
 }
 
 /// The letters of the components behind a dot: those of points and those of colours.

@@ -1,7 +1,8 @@
 //! Quantities that are watched: by their keys, so that they are found in any log, with their values in the one that is shown.
 
 use super::quantity::{self, Part, value_at};
-use crate::log::{Events, Name, Step, Tree, Value};
+use crate::log::{Events, Name, Step, Tree, Unit, Value};
+use std::collections::HashMap;
 
 /// What is watched.
 #[derive(Clone, Debug, Default)]
@@ -36,12 +37,22 @@ impl Watched {
 
     /// What it is called on the screen: `N·L`, `N.x`.
     pub fn shown(&self) -> String {
-        self.part.of_name(self.names.first().map_or("", |name| quantity::shown(*name)))
+        self.called(quantity::shown)
     }
 
     /// What it is called in a log: `shade.n_dot_l`, `hit.normal.x`.
     pub fn key(&self) -> String {
-        self.part.of_name(self.names.first().map_or("", |name| name.key()))
+        self.called(Name::key)
+    }
+
+    fn called(&self, name: fn(Name) -> &'static str) -> String {
+        let Some(first) = self.names.first() else { return String::new() };
+        let letters = if first.unit() == Unit::Intensity { ["r", "g", "b"] } else { ["x", "y", "z"] };
+        match self.part {
+            Part::Whole => name(*first).to_owned(),
+            Part::Component(index) => format!("{}.{}", name(*first), letters[index.min(2)]),
+            Part::Length => format!("|{}|", name(*first)),
+        }
     }
 
     /// Whether both are the same.
@@ -71,21 +82,21 @@ impl Watched {
             tree.around(tree.owner(event)).find(is_ray)
         };
         self.events.clear();
-        let mut last: Option<(usize, Value)> = None;
+        let mut latest: HashMap<Option<usize>, Value> = HashMap::new();
         for (at, happening) in events.iter().enumerate() {
             let noted = happening.noted().filter(|(name, _)| is_name[*name as usize]);
             let given = || events.given(happening).iter().find(|(name, _)| is_name[*name as usize]);
             let value = match (noted, noted.is_none().then(given).flatten()) {
                 (Some((_, value)), _) => value,
                 (None, Some((_, value))) => {
-                    if last.is_some_and(|(before, known)| known.same_bits(value) && ray(before) == ray(at)) {
+                    if latest.get(&ray(at)).is_some_and(|known| known.same_bits(value)) {
                         continue;
                     }
                     *value
                 }
                 (None, None) => continue,
             };
-            last = Some((at, value));
+            latest.insert(ray(at), value);
             self.events.push(at as u32);
         }
         self.spread = self.spread_of(events, self.events.len());

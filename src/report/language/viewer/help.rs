@@ -142,7 +142,7 @@ texts! {
     run_back = "run back to the previous breakpoint", "volver hasta el punto de interrupción anterior";
     stops = "list where the runs stopped", "lista de dónde se ha parado la ejecución";
     watch = "watch the quantity computed here, or no longer; :watch lists all", "vigilar la magnitud que se calcula aquí, o ya no; :watch las enumera";
-    history = "all values of this quantity in the pixel", "todos los valores de esta magnitud en el píxel";
+    history = "all values of this quantity, in order", "todos los valores de esta magnitud, en orden";
     play = "play, value by value; again to stop", "reproducir, valor a valor; otra vez para parar";
     faster = "play twice as fast", "reproducir el doble de rápido";
     slower = "play half as fast", "reproducir la mitad de rápido";

@@ -30,7 +30,7 @@ texts! {
         list(["step", "value", "path", "node", ""], "none: X watches the quantity here, :watch KEY any"),
         list(["paso", "valor", "camino", "nodo", ""], "ninguno: X vigila la magnitud de aquí, :watch CLAVE cualquiera");
     /// All values of a quantity.
-    history_title(name: &str) = "{name} in the pixel", "{name} en el píxel";
+    history_title(name: &str) = "All values of {name}", "Todos los valores de {name}";
     /// Its columns, and what is said where it has no entries.
     history: List<5> =
         list(["step", "value", "path", "node", ""], "no value"),

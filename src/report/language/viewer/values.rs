@@ -112,6 +112,10 @@ texts! {
     not_yet(name: &str, step: usize) =
         "{name} has no value before step {step}; :{step} goes there",
         "{name} no tiene valor antes del paso {step}; :{step} va allí";
+    /// In a quiz names would tell the results.
+    only_numbers =
+        "in a quiz with numbers only: names would tell the results; Q ends the quiz",
+        "en un cuestionario solo con números: los nombres dirían los resultados; Q termina el cuestionario";
     /// An operation can't be done with such operands.
     impossible(operation: &str) =
         "can't compute {operation}: one of the operands is a triple where a number is needed, or a number where a triple is",

@@ -7,10 +7,13 @@ use std::sync::LazyLock;
 const RESULT: &str = "result";
 
 /// Every kind: of nodes, of decisions and of misses, then the result.
-pub static WORDS: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
+pub static WORDS: LazyLock<Vec<&'static str>> =
+    LazyLock::new(|| nodes().chain(DECIDED.iter().map(|(_, dashed)| *dashed)).chain([RESULT]).collect());
+
+/// The words of decisions and of misses as a log has them, and with dashes.
+static DECIDED: LazyLock<Vec<(&'static str, &'static str)>> = LazyLock::new(|| {
     let decided = Decision::WORDS.iter().copied().chain(Miss::ALL.iter().map(|why| why.word()));
-    let dashed = decided.map(|word| &*word.replace('_', "-").leak());
-    nodes().chain(dashed).chain([RESULT]).collect()
+    decided.map(|word| (word, &*word.replace('_', "-").leak())).collect()
 });
 
 /// The kinds of nodes, and of rays.
@@ -52,6 +55,10 @@ pub fn of(what: &What) -> ArrayVec<&'static str, 2> {
         What::Result { .. } => [Some(RESULT), None],
         What::Note { .. } | What::Leave => [None, None],
     };
-    let dashed = |word: &'static str| if word.contains('_') { find(word).unwrap_or(word) } else { word };
+    // Asked of every event of a log.
+    let dashed = |word: &'static str| match word.contains('_') {
+        true => DECIDED.iter().find(|(of_log, _)| *of_log == word).map_or(word, |(_, dashed)| dashed),
+        false => word,
+    };
     of_log.into_iter().flatten().map(dashed).collect()
 }
