@@ -95,11 +95,7 @@ const COMMANDS: &[Command] = &[
     },
     Command { name: "digits", argument: Argument::Decimals, run: digits },
     Command { name: "edit", argument: Argument::Nothing, run: |model, _| Ok(edit::object(model)) },
-    Command {
-        name: EVAL,
-        argument: Argument::Expression,
-        run: |model, text| plainly(eval::answer(model, text)),
-    },
+    Command { name: EVAL, argument: Argument::Expression, run: |model, text| plainly(eval::answer(model, text)) },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
     Command {
         name: "glossary",
@@ -162,8 +158,10 @@ pub(super) fn run(model: &mut Model, text: &str) -> Done {
     if command.argument == Argument::Nothing && !rest.is_empty() {
         return Err((texts.nothing_behind)(command.name));
     }
-    let needs_more =
-        matches!(command.argument, Argument::File | Argument::Number | Argument::Name | Argument::Expression | Argument::Key);
+    let needs_more = matches!(
+        command.argument,
+        Argument::File | Argument::Number | Argument::Name | Argument::Expression | Argument::Key
+    );
     if needs_more && rest.trim().is_empty() {
         return Err((texts.expected_more)(command.name, command.argument.word(texts)));
     }

@@ -95,7 +95,8 @@ fn begins_with(text: &str, word: &str) -> bool {
     let is_word = word.ends_with(is_of_name);
     match next.next() {
         Some('.') if is_word => {
-            let letter = next.next().is_some_and(|letter| quantity::component(letter.encode_utf8(&mut [0; 4])).is_some());
+            let letter =
+                next.next().is_some_and(|letter| quantity::component(letter.encode_utf8(&mut [0; 4])).is_some());
             letter && next.next().is_none_or(|behind| !is_of_name(behind) && behind != '.')
         }
         Some(next) => !(is_word && is_of_name(next)),
@@ -137,9 +138,8 @@ fn looked_up(model: &Model, names: &[Name], part: Part) -> Result<Value, String>
     }
     let Some(found) = model.here(names) else {
         let node = model.tree.owner(model.event);
-        let has_it = |event: &usize| {
-            quantity::value_at(&model.log.events, *event, |name| names.contains(&name)).is_some()
-        };
+        let has_it =
+            |event: &usize| quantity::value_at(&model.log.events, *event, |name| names.contains(&name)).is_some();
         let later = model.tree.own_events_from(node, model.event + 1).find(has_it);
         return Err(match later.filter(|_| model.told().is_none()) {
             Some(event) => (texts.not_yet)(first.symbol(), event + 1),
@@ -289,9 +289,9 @@ fn placed(model: &Model, text: &str, at: usize, why: &str) -> String {
 
 /// How an expression may go on: with the symbols and keys of what is known here, and with functions.
 pub(super) fn completions(model: &Model, text: &str) -> Vec<String> {
-    let begin = text.rfind(|c: char| !is_of_name(c) && c != '.').map_or(0, |at| {
-        at + text[at..].chars().next().map_or(1, char::len_utf8)
-    });
+    let begin = text
+        .rfind(|c: char| !is_of_name(c) && c != '.')
+        .map_or(0, |at| at + text[at..].chars().next().map_or(1, char::len_utf8));
     let (before, word) = text.split_at(begin);
     if word.is_empty() {
         return Vec::new();

@@ -1,15 +1,17 @@
 //! What is in each list: a kind of list is one function that makes its entries from the model.
 
 use super::model::list::{Entry, Kind, Listing};
-use super::model::{Model, Overlay};
 use super::model::watch::Watched;
+use super::model::{Model, Overlay};
 use super::{bookmarks, breakpoints, run, watch};
 
 /// The list of this kind.
 pub fn listing(model: &Model, kind: Kind) -> Listing {
     let texts = &model.texts().lists;
     match kind {
-        Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints_title, &[1, 2], breakpoints::entries(model)),
+        Kind::Breakpoints => {
+            Listing::of(&texts.breakpoints, texts.breakpoints_title, &[1, 2], breakpoints::entries(model))
+        }
         Kind::Stops => Listing::of(&texts.stops, texts.stops_title, &[0], run::entries(model)),
         Kind::Watches => Listing::of(&texts.watches, texts.watches_title, &[0], watch::entries(model, kind)),
         Kind::History => {

@@ -244,42 +244,12 @@ const LINES: [&str; 41] = [
     "Q ] ] ] ] ] ] ] ] ] ] ] y",
 ];
 
-/// Values that are watched, breakpoints of several terms, and expressions, right and wrong.
-const VALUES: [&str; 26] = [
-    "X",
-    "n X",
-    "n X X",
-    "n X :watch Enter",
-    ":watch Enter",
-    ":watch N·L Enter 38n",
-    ":watch N·L Enter :watch N·L Enter d",
-    ":watch cone.t_0 Enter",
-    ":watch zzz Enter",
-    ":watch N·K Enter",
-    ":unwatch N·L Enter",
-    ":history Enter",
-    ":history T2_A Enter",
-    "n A",
-    ":eval Enter",
-    ":eval 1 + Enter",
-    ":eval (1 Enter",
-    ":eval 1 2 Enter",
-    ":eval zzz Enter",
-    ":eval N + 1 Enter",
-    "38n :eval N + 1 Enter",
-    "38n :eval dot(N; L) Enter",
-    "Q :eval N Enter",
-    "bhit and Enter",
-    "b(hit Enter",
-    "bN·L is nann Enter",
-];
-
 #[test]
 fn no_frame_says_anything_in_english() {
     let log = by_hand();
     let foreign = Foreign::beside_names_of(&log);
     let mut wrong = Vec::new();
-    for keys in EVERYWHERE.into_iter().chain(LINES).chain(VALUES) {
+    for keys in EVERYWHERE.into_iter().chain(LINES).chain(crate::values::KEYS) {
         for (size, live) in
             [((19, 5), false), ((40, 12), false), ((80, 24), true), ((200, 60), false), ((200, 60), true)]
         {

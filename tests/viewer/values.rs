@@ -16,6 +16,36 @@ fn frame(keys: &str, (width, height): (u16, u16), language: Language, ascii: boo
 
 const WATCHED: &str = ":watch N·L Enter :watch shade.local.r Enter 38n";
 
+/// Keys that lead to what is said of values, breakpoints of several terms and expressions, right and wrong.
+pub const KEYS: [&str; 26] = [
+    "X",
+    "n X",
+    "n X X",
+    "n X :watch Enter",
+    ":watch Enter",
+    ":watch N·L Enter 38n",
+    ":watch N·L Enter :watch N·L Enter d",
+    ":watch cone.t_0 Enter",
+    ":watch zzz Enter",
+    ":watch N·K Enter",
+    ":unwatch N·L Enter",
+    ":history Enter",
+    ":history T2_A Enter",
+    "n A",
+    ":eval Enter",
+    ":eval 1 + Enter",
+    ":eval (1 Enter",
+    ":eval 1 2 Enter",
+    ":eval zzz Enter",
+    ":eval N + 1 Enter",
+    "38n :eval N + 1 Enter",
+    "38n :eval dot(N; L) Enter",
+    "Q :eval N Enter",
+    "bhit and Enter",
+    "b(hit Enter",
+    "bN·L is nann Enter",
+];
+
 #[test]
 fn frames_at_three_sizes_in_both_languages() {
     snapshots().bind(|| {
@@ -73,19 +103,26 @@ mod in_a_terminal {
         session.shows("▶◆");
         session.press("B");
         session.shows("hits");
-        session.shows("on         1");
-        session.press("\x1b:set objects.sphere.shape.sphere.radius 2.5\r");
+        session.shows("on        1       ");
+        // By itself the key can't be taken for the beginning of another one.
+        session.press("\x1b");
+        session.hides("Breakpoints");
+        session.press(":set objects.sphere.shape.sphere.radius 2.5\r");
         session.shows("differences");
         session.press(":watch\r");
         session.shows("Watched values");
         session.shows("≠");
         session.press("d");
         session.shows("none: X watches");
-        session.press("\x1b:eval dot(N, L) - N·L\r");
+        session.press("\x1b");
+        session.hides("Watched values");
+        session.press(":eval dot(N, L) - N·L\r");
         session.shows("dot(N, L) - N·L = ");
         session.press(":eval dot(N, Q_q)\r");
         session.shows("column 8: nothing is called `Q_q`");
-        session.press("\x1bq");
+        session.press("\x1b");
+        session.hides("column 8");
+        session.press("q");
         session.ends_with(0);
     }
 }

@@ -70,7 +70,9 @@ impl Call {
 fn grouped<Leaf>(formula: Formula<Leaf>) -> Formula<Leaf> {
     match formula {
         Formula::Binary(Operator::Extreme(_), ..) => formula,
-        Formula::Binary(..) | Formula::Unary(Unary::Negated | Unary::Root, _) => Formula::unary(Unary::Grouped, formula),
+        Formula::Binary(..) | Formula::Unary(Unary::Negated | Unary::Root, _) => {
+            Formula::unary(Unary::Grouped, formula)
+        }
         single => single,
     }
 }
@@ -83,7 +85,8 @@ pub(super) fn number(text: &str, has_decimal_commas: bool) -> Option<(f64, usize
     };
     let byte = |at: usize| text.as_bytes().get(at).copied();
     let mut end = digits(0);
-    let is_mark = byte(end) == Some(b'.') || (has_decimal_commas && byte(end) == Some(b',') && digits(end + 1) > end + 1);
+    let is_mark =
+        byte(end) == Some(b'.') || (has_decimal_commas && byte(end) == Some(b',') && digits(end + 1) > end + 1);
     if is_mark {
         end = digits(end + 1);
     }
@@ -102,7 +105,8 @@ pub(super) fn number(text: &str, has_decimal_commas: bool) -> Option<(f64, usize
 pub(super) fn raised(text: &str) -> Option<(f64, usize)> {
     const DIGITS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
     let minus = text.strip_prefix('⁻').map_or(0, |_| '⁻'.len_utf8());
-    let digits = text[minus..].chars().map_while(|c| DIGITS.chars().position(|digit| digit == c).map(|value| (value, c)));
+    let digits =
+        text[minus..].chars().map_while(|c| DIGITS.chars().position(|digit| digit == c).map(|value| (value, c)));
     let (value, length) =
         digits.fold((0.0, 0), |(value, length), (digit, c)| (10.0 * value + digit as f64, length + c.len_utf8()));
     let is_square = minus == 0 && value == 2.0;

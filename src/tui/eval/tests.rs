@@ -2,15 +2,16 @@
 
 use super::*;
 use crate::log::What as Happening;
+use crate::record::Arithmetic;
 use crate::report::language::Language;
-use crate::tui::testing::{glass, nested, sized, textbook, typed};
+use crate::tui::testing::{glass, log_of, nested, sized, textbook, typed};
 use proptest::prelude::*;
 
-/// The glass ball at the first light whose cosines are computed, at their last step.
+/// The numeric example at the first light, at the last of its cosines.
 fn at_light() -> Model {
-    let mut model = sized(glass(), 100, 30);
+    let mut model = sized(log_of("textbook", Arithmetic::F64), 100, 30);
     let is_n_dot_h = |event: &crate::log::Event| event.noted().is_some_and(|(name, _)| name == Name::ShadeNDotH);
-    let event = model.log.events.iter().position(is_n_dot_h).expect("the ball is lit from the front");
+    let event = model.log.events.iter().position(is_n_dot_h).expect("the plane is lit from the front");
     model.go_to_event(event);
     model
 }
@@ -43,7 +44,9 @@ fn names_are_values_here() {
     for text in ["N", "hit.normal", " N "] {
         gives(&model, text, n);
     }
-    for text in ["dot(N, L)", "N·L", "N*L", "N · L", "N * L", "dot (hit.normal; light.direction)", "shade.n_dot_l", "(N)·(L)"] {
+    for text in
+        ["dot(N, L)", "N·L", "N*L", "N · L", "N * L", "dot (hit.normal; light.direction)", "shade.n_dot_l", "(N)·(L)"]
+    {
         gives(&model, text, Value::Number(dot(n3, l3)));
     }
     for (text, index) in [("N.x", 0), ("N.g", 1), ("hit.normal.z", 2), ("hit.normal.b", 2)] {
@@ -124,7 +127,7 @@ fn refuses(model: &Model, text: &str, expected: &str) {
 #[test]
 fn mistakes_have_columns() {
     let model = at_light();
-    refuses(&model, "1 + ", "column 5: expected a number, a name");
+    refuses(&model, "1 + ", "column 4: expected a number, a name");
     refuses(&model, "dot(N, K_q)", "column 8: nothing is called `K_q`");
     refuses(&model, "1 + shade.n_dot_k", "column 5: nothing is called `shade.n_dot_k`; did you mean `shade.n_dot_l`?");
     refuses(&model, "sqr(2)", "did you mean `sqrt`?");
@@ -150,10 +153,10 @@ fn what_comes_later_in_the_node_is_said_where_it_is() {
     let mut model = at_light();
     let step = model.step();
     typed(&mut model, "p");
-    refuses(&model, "N·H", &format!("before step {step}; :{step} goes there"));
+    refuses(&model, "shade.n_dot_h", &format!("before step {step}; :{step} goes there"));
     // A tree that grows doesn't say what is to come.
     typed(&mut model, "t");
-    refuses(&model, "I_local", "I_local has no value here; known are ");
+    refuses(&model, "shade.n_dot_h", "N·H has no value here; known are ");
 }
 
 #[test]
@@ -189,7 +192,9 @@ fn expression() -> impl Strategy<Value = (String, f64)> {
     let name = name.prop_map(|name| (name.to_owned(), NAMED.with(|named| named[name])));
     prop_oneof![number, small, name].prop_recursive(4, 24, 3, |inner| {
         let one = inner.clone();
-        let call = prop::sample::select(vec!["sin", "cos", "tan", "exp", "sqrt", "ln", "asin", "acos", "atan", "abs", "deg", "-"]);
+        let call = prop::sample::select(vec![
+            "sin", "cos", "tan", "exp", "sqrt", "ln", "asin", "acos", "atan", "abs", "deg", "-",
+        ]);
         let called = (call, one).prop_map(|(name, (text, x))| {
             let value = match name {
                 "sin" => libm::sin(x),

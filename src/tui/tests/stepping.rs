@@ -128,11 +128,11 @@ fn breakpoints_are_listed() {
     let texts = |model: &Model| {
         listing(model, Kind::Breakpoints).entries.into_iter().map(|entry| entry.text).collect::<Vec<_>>()
     };
-    assert_eq!(texts(&model), ["on\t0\t5\thit", "on\t0\t1\tT2_A < 0", "on\t0\t0\tV_d ~ 0"]);
+    assert_eq!(texts(&model), ["on\t0\t2\thit", "on\t0\t2\tT2_A < 0", "on\t0\t0\tV_d ~ 0"]);
     typed(&mut model, "j Space");
-    assert_eq!(texts(&model), ["on\t0\t5\thit", "off\t0\t1\tT2_A < 0", "on\t0\t0\tV_d ~ 0"]);
+    assert_eq!(texts(&model), ["on\t0\t2\thit", "off\t0\t2\tT2_A < 0", "on\t0\t0\tV_d ~ 0"]);
     typed(&mut model, "j d");
-    assert_eq!(texts(&model), ["on\t0\t5\thit", "off\t0\t1\tT2_A < 0"]);
+    assert_eq!(texts(&model), ["on\t0\t2\thit", "off\t0\t2\tT2_A < 0"]);
     assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, selected: 1, shift: 0 }));
     // Enter goes to the next place of one that is off, too, and around the end.
     let places = |model: &Model, text: &str| {

@@ -56,8 +56,10 @@ fn lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<(Line
         }
         lines.extend(block.into_iter().map(|line| (line, *item)));
     }
-    let at_mark = Span::styled(theme.glyphs.current, theme.style(Role::Current));
-    let is_other = Span::styled(theme.glyphs.differs, theme.style(Role::Warning));
+    // Beside the mark is a blank, or the gutter and a blank.
+    let beside = if has_gutter { "" } else { " " };
+    let at_mark = Span::styled(format!("{}{beside}", theme.glyphs.current), theme.style(Role::Current));
+    let is_other = Span::styled(format!("{}{beside}", theme.glyphs.differs), theme.style(Role::Warning));
     let stops = Span::styled(theme.glyphs.breakpoint, theme.style(Role::Blocked));
     // A step of several lines has one mark: at its first line, or, if it is the current one, beside that of the step.
     let lines_of: Vec<_> = lines.iter().map(|(_, item)| *item).collect();
@@ -65,19 +67,17 @@ fn lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<(Line
         let own = match number == mark {
             true => at_mark.clone(),
             false if is_changed(model, item) => is_other.clone(),
-            false => Span::raw(" "),
+            false => Span::raw(format!(" {beside}")),
         };
-        let is_first = if (begin..end).contains(&number) {
-            number == mark
-        } else {
-            number == 0 || lines_of[number - 1] != item
-        };
+        let is_first =
+            if (begin..end).contains(&number) { number == mark } else { number == 0 || lines_of[number - 1] != item };
         let stop = match has_gutter {
             true if is_first && is_stop(model, item) => Some(stops.clone()),
             true => Some(Span::raw(" ")),
             false => None,
         };
-        let margin = [Some(own), stop, Some(Span::raw(" "))].into_iter().flatten();
+        let blank = has_gutter.then(|| Span::raw(" "));
+        let margin = [Some(own), stop, blank].into_iter().flatten();
         (Line::from_iter(margin.chain(line.spans)), item)
     };
     let skipped = begin.saturating_sub(height / 3).min(lines.len().saturating_sub(height));

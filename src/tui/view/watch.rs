@@ -40,7 +40,8 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let fitting = if pinned.len() > room { room - 1 } else { room };
     let lines = pinned.iter().take(fitting).map(|watched| line(model, watched, theme, usize::from(area.width)));
     let others = (texts.others)(pinned.len().saturating_sub(fitting));
-    let others = (pinned.len() > room).then(|| Line::styled(format!("  {}", shown(&others, theme)), theme.style(Role::Faint)));
+    let others =
+        (pinned.len() > room).then(|| Line::styled(format!("  {}", shown(&others, theme)), theme.style(Role::Faint)));
     for (y, line) in (area.y + 1..area.bottom()).zip(lines.chain(others)) {
         put(buffer, Rect { y, height: 1, ..area }, line);
     }

@@ -225,7 +225,8 @@ fn long_histories_are_listed_around_the_step() {
 
 #[test]
 fn spreads_are_bars_between_the_least_and_the_greatest() {
-    let bars = |numbers: &[f64], most| Spread::of(numbers, most).map(|spread| (spread.least, spread.greatest, spread.bars));
+    let bars =
+        |numbers: &[f64], most| Spread::of(numbers, most).map(|spread| (spread.least, spread.greatest, spread.bars));
     assert_eq!(bars(&[1.0, 3.0, 2.0], 9), Some((1.0, 3.0, vec![Some(0.0), Some(1.0), Some(0.5)])));
     assert_eq!(bars(&[1.0, 3.0, 2.0, 2.0], 2), Some((1.0, 3.0, vec![Some(0.5), Some(0.5)])));
     assert_eq!(bars(&[5.0, f64::NAN, 5.0], 9), Some((5.0, 5.0, vec![Some(0.5), None, Some(0.5)])));

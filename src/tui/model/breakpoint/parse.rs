@@ -121,7 +121,7 @@ pub fn completions(log: &Log, text: &str) -> Vec<String> {
     let begins_at = text[last..].find(|c: char| !c.is_whitespace() && c != '(').map_or(text.len(), |at| last + at);
     let (before, term) = text.split_at(begins_at);
     let tests = term.split_once(char::is_whitespace).filter(|(key, _)| Name::with_key(key).is_some());
-    let tests = tests.into_iter().flat_map(|(key, _)| term::CLASSES.map(|class| format!("{key} is {class}")));
+    let tests = tests.into_iter().flat_map(|(key, _)| term::tests(key));
     let words = term::words(log).into_iter().chain(tests);
     words.filter(|word| word.starts_with(term)).map(|word| format!("{before}{word}")).collect()
 }

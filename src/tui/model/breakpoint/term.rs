@@ -25,8 +25,17 @@ const OPERATORS: &[(&str, Operator)] = &[
     ("~", Operator::Near),
 ];
 
-/// What a value may be that isn't compared, in words behind `is`.
-pub const CLASSES: [&str; 6] = ["nan", "infinite", "finite", "not nan", "not infinite", "not finite"];
+/// The word before what a value is, and the one that negates it.
+const IS: &str = "is";
+const NOT: &str = "not";
+
+/// What a value may be that isn't compared.
+const CLASSES: [&str; 3] = ["nan", "infinite", "finite"];
+
+/// The tests of a quantity that are no comparisons.
+pub fn tests(key: &str) -> impl Iterator<Item = String> {
+    CLASSES.into_iter().flat_map(move |class| [format!("{key} {IS} {class}"), format!("{key} {IS} {NOT} {class}")])
+}
 
 /// Whether a term begins with a word behind which a name goes on to its end.
 pub fn named_by(text: &str) -> bool {
@@ -42,6 +51,10 @@ pub fn parse(text: &str, log: &Log, texts: &Breakpoints) -> Result<Condition, St
     }
     let (first, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
     let rest = rest.trim();
+    let is_depth = |before: &str| before.eq_ignore_ascii_case("depth");
+    if let Some((_, sign, level)) = operator(text).filter(|(before, ..)| is_depth(before)) {
+        return depth(sign, level, texts);
+    }
     let begins_name = !rest.is_empty() && operator(rest).is_none_or(|(before, ..)| !before.is_empty());
     match first.to_lowercase().as_str() {
         "" => Err(texts.expected.to_owned()),
@@ -54,7 +67,7 @@ pub fn parse(text: &str, log: &Log, texts: &Breakpoints) -> Result<Condition, St
             let unknown = Unknown { none: texts.no_lights, like: texts.light_like, others: texts.other_lights };
             named(&log.header.lights, rest, &unknown).map(Condition::Light)
         }
-        "depth" if operator(rest).is_none_or(|(before, ..)| before.is_empty()) => depth(rest, texts),
+        "depth" if operator(rest).is_none() => depth(Operator::Equal, rest, texts),
         _ => quantity(text, log, texts).map(Condition::Quantity),
     }
 }
@@ -107,9 +120,8 @@ fn named(names: &[String], name: &str, unknown: &Unknown) -> Result<Vec<u32>, St
     })
 }
 
-fn depth(text: &str, texts: &Breakpoints) -> Result<Condition, String> {
-    let (operator, number) = operator(text).map_or((Operator::Equal, text), |(_, operator, number)| (operator, number));
-    let depth = number.parse().map_err(|_| texts.expected_depth.to_owned())?;
+fn depth(operator: Operator, text: &str, texts: &Breakpoints) -> Result<Condition, String> {
+    let depth = text.parse().map_err(|_| texts.expected_depth.to_owned())?;
     Ok(Condition::Depth(operator, depth))
 }
 
@@ -140,7 +152,7 @@ fn class(text: &str) -> Option<(&str, &str)> {
     words.find_map(|(at, _)| {
         let (before, rest) = (&text[..at], text[at..].trim_start());
         let (word, class) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
-        word.eq_ignore_ascii_case("is").then(|| (before.trim(), class.trim()))
+        word.eq_ignore_ascii_case(IS).then(|| (before.trim(), class.trim()))
     })
 }
 
@@ -148,7 +160,7 @@ fn class(text: &str) -> Option<(&str, &str)> {
 fn class_of(text: &str, texts: &Breakpoints) -> Result<Test, String> {
     let text = text.to_lowercase();
     let mut words: Vec<&str> = text.split_whitespace().collect();
-    let is_negated = words.first() == Some(&"not");
+    let is_negated = words.first() == Some(&NOT);
     if is_negated {
         words.remove(0);
     }
@@ -156,7 +168,7 @@ fn class_of(text: &str, texts: &Breakpoints) -> Result<Test, String> {
         ["nan"] => Class::Nan,
         ["infinite" | "inf"] => Class::Infinite,
         ["finite"] => Class::Finite,
-        _ => return Err((texts.expected_class)(&plain(&text), suggest(&text, CLASSES).unwrap_or_default())),
+        _ => return Err((texts.expected_class)(&plain(&text), suggest(&words.join(" "), CLASSES).unwrap_or_default())),
     };
     Ok(Test::Is { class, is_negated })
 }

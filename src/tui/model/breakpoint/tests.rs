@@ -129,7 +129,11 @@ fn conditions_hold_where_they_say() {
 #[test]
 fn near_is_as_near_as_one_can_see() {
     let holds = |number: f64, digits: u32| {
-        let near = Quantity { names: vec![Name::SphereT2a], part: Part::Whole, test: Some(Test::Compared(Operator::Near, 2.0)) };
+        let near = Quantity {
+            names: vec![Name::SphereT2a],
+            part: Part::Whole,
+            test: Some(Test::Compared(Operator::Near, 2.0)),
+        };
         let mut event = textbook().events.remove(0);
         event.what = What::Note { name: Name::SphereT2a, value: Value::Number(number) };
         let log = Log { events: Events::from(event), ..textbook() };
