@@ -9,8 +9,11 @@
 //! atom     = number [ "π" ] | symbol | "(" sum ")" | "(" sum "," sum "," sum ")" | "|" sum "|" | "⌊" sum "⌋"
 //!          | ("Σ" | "Σ_s" | "Σ_c" | "Π" | "se_s" | "df_s") "(" sum ")" | ("min" | "max") "(" sum [ "," sum ] ")"
 //!          | "student" "(" sum "," sum ")"
-//!          | ("cos" | "sin" | "tan" | "exp" | "expm1" | "ln1p" | "ceil") "(" sum ")"
+//!          | ("cos" | "sin" | "tan" | "exp" | "expm1" | "ln" | "ln1p" | "ceil" | "asin" | "acos" | "atan" | "deg") "(" sum ")"
 //! ```
+//!
+//! Where people type a formula it may also have `-` and `*`, `x` and `o` with blanks around them (for `×` and `∘`), `;` for `,`, numbers such as `1e-3`,
+//! raised exponents, and `dot(a, b)`, `cross(a, b)`, `length(a)`, `abs(a)`, `unit(a)`, `clamp(a, least, most)`, `sqrt(a)`, `rad(a)`; no sums over something.
 //!
 //! `·` is the product of two numbers, the scaling of a triple, or the dot product of two triples; `∘` multiplies colours
 //! channel by channel; `×` is the cross product; `⊘` divides component by component, and a quotient that isn't finite
@@ -31,18 +34,21 @@
 //! ((i_s + ξ_x)/c_s, (a_s + ξ_y·c_s)/n_s) of its inputs, or (s_x, s_y) where these are inputs, not rounded.
 //! `student(p, ν)` is the t for which a variable of Student's distribution with ν degrees of freedom lies between −t and t with probability p,
 //! to 10⁻⁹ of its value. `x°` is an angle in degrees; `cos(x°)` and `sin(x°)` are exact at quarters of a turn. `expm1(x)` is eˣ − 1 and `ln1p(x)` the
-//! logarithm of 1 + x, with their digits near 0; `ceil` rounds up. The names of functions, with the parenthesis behind them, are tried first. A symbol is the longest one of the table of names that the text
+//! logarithm of 1 + x, with their digits near 0; `ceil` rounds up; `deg` is an angle in degrees. The names of functions, with the parenthesis behind them, are tried first. A symbol is the longest one of the table of names that the text
 //! goes on with, so `N·L` is the quantity and `N · L` its formula. Operations are done from left to right: evaluated so, a
 //! formula gives the logged value to the last bit, but for `student`; docs/log.md says what other programs may compute otherwise.
 
 mod parser;
+mod typed;
 mod words;
+mod wrong;
 
 pub use words::{Function, QUANTILE, Several};
+pub use wrong::{Expected, Wrong};
 
 use super::name::Name;
 use crate::log::words::words;
-use parser::Parser;
+use parser::{Dialect, Parser};
 use std::sync::LazyLock;
 
 /// A formula as a tree. Its leaves are symbols, unless something else was put in for them.
@@ -135,6 +141,16 @@ impl<Leaf> Formula<Leaf> {
         Formula::Binary(operator, Box::new(left), Box::new(right))
     }
 
+    /// How many operations and leaves it has.
+    pub fn size(&self) -> usize {
+        match self {
+            Formula::Number(_) | Formula::Leaf(_) => 1,
+            Formula::Triple(parts) => 1 + parts.iter().map(Formula::size).sum::<usize>(),
+            Formula::Unary(_, inner) => 1 + inner.size(),
+            Formula::Binary(_, left, right) => 1 + left.size() + right.size(),
+        }
+    }
+
     /// The same with other leaves.
     pub fn map<Other>(&self, leaf: &impl Fn(&Leaf) -> Other) -> Formula<Other> {
         match self {
@@ -158,7 +174,35 @@ pub fn of(name: Name) -> Option<&'static Formula> {
 
 /// Reads a formula text; the error says what was expected where.
 pub fn parse(text: &str) -> Result<Formula, String> {
-    Parser::new(text).whole()
+    let name = |text: &str, _: usize| parser::symbol(text).map(|symbol| (symbol, symbol.len()));
+    let number = |number, _| Formula::Number(number);
+    let dialect = Dialect { name: &name, number: &number, is_typed: false, has_decimal_commas: false };
+    Parser::new(text, &dialect).whole().map_err(|wrong| wrong.in_words(text))
+}
+
+/// Reads a formula that somebody typed. `name` gives the leaf that a text begins with, at this place of the whole in bytes, and its length; `number` that of
+/// a number. A comma between digits parts operands, unless that makes no sense and a decimal comma does.
+///
+/// # Errors
+/// What was expected, and where.
+pub fn parse_typed<Leaf: Clone>(
+    text: &str,
+    name: &dyn Fn(&str, usize) -> Option<(Leaf, usize)>,
+    number: &dyn Fn(f64, usize) -> Leaf,
+) -> Result<Formula<Leaf>, Wrong> {
+    let number = |x, at| Formula::Leaf(number(x, at));
+    let read = |has_decimal_commas| {
+        let dialect = Dialect { name, number: &number, is_typed: true, has_decimal_commas };
+        Parser::new(text, &dialect).whole()
+    };
+    read(false).or_else(|wrong| read(true).map_err(|_| wrong))
+}
+
+/// The names of the functions that people can type.
+pub fn typed_functions() -> impl Iterator<Item = &'static str> {
+    let extremes = Extreme::ALL.map(Extreme::word);
+    let calls = typed::CALLS.iter().map(|(word, _)| *word);
+    Function::ALL.into_iter().map(Function::word).chain(calls).chain(extremes).chain([QUANTILE])
 }
 
 #[cfg(test)]

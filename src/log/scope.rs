@@ -29,6 +29,31 @@ pub fn operand(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Opti
     seen_from(events, tree, tree.owner(event), event, symbol)
 }
 
+/// The same among quantities that have one symbol, where others that have it, too, don't count.
+pub fn operand_among(events: &Events, tree: &Tree, event: usize, names: &[Name]) -> Option<Operand> {
+    let symbol = names.first()?.symbol();
+    let has = |at: usize| {
+        let noted = events[at].noted().filter(|(name, _)| names.contains(name)).map(|(_, value)| value);
+        let given = || events.given(&events[at]).iter().find(|(name, _)| names.contains(name)).map(|(_, value)| *value);
+        Some(Operand { event: at, value: noted.or_else(given)? })
+    };
+    let given = events.given(events.get(event)?).iter().find(|(name, _)| names.contains(name));
+    if let Some((_, value)) = given {
+        return Some(Operand { event, value: *value });
+    }
+    let in_place = |place: usize, before: usize| {
+        let earlier = |before: usize| in_node(events, tree, place, before, symbol).map(|found| found.event);
+        std::iter::successors(earlier(before), |at| earlier(*at)).find_map(has)
+    };
+    let mut before = event;
+    tree.around(tree.owner(event)).find_map(|node| {
+        let test = || nearest_test(events, tree, node, before).and_then(|test| in_place(test, before));
+        let found = in_place(node, before).or_else(test);
+        before = tree.nodes()[node].events.start;
+        found
+    })
+}
+
 /// The same if the event's own node has it, itself and not in a test inside it.
 pub fn operand_in_node(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
     match given_at(events, event, symbol) {

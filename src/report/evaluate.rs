@@ -205,7 +205,11 @@ impl Evaluator<'_> {
             (Unary::Floor, _) => map(part()?, f64::floor),
             (Unary::Root, _) => map(part()?, f64::sqrt),
             (Unary::Squared, _) => squared(part()?),
-            (Unary::Length, _) => map(squared(part()?)?, f64::sqrt),
+            // Not the root of a square, which may overflow.
+            (Unary::Length, _) => match part()? {
+                Part::There(Value::Number(x)) => Ok(Part::There(Value::Number(x.abs()))),
+                vector => map(squared(vector)?, f64::sqrt),
+            },
             (Unary::Degrees, _) => map(part()?, f64::to_radians),
             (Unary::Function(function), _) => map(part()?, |x| functions::of(function, x)),
             (Unary::ExtremeComponent(which), _) => match part()? {

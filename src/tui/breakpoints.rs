@@ -1,11 +1,13 @@
 //! Setting and deleting breakpoints, and their list.
 
 use super::model::breakpoint::{Breakpoint, Condition, kind, parse};
-use super::model::list::Entry;
+use super::model::list::{Entry, cells};
 use super::model::{Model, Overlay};
 use super::run;
 use super::theme::Role;
 use crate::log::What;
+use crate::report::side_by_side::Run;
+use crate::report::words::plain;
 
 /// Sets the breakpoint that a text asks for, or says what is wrong with it.
 pub(super) fn add(model: &mut Model, text: &str) -> Result<(), String> {
@@ -18,7 +20,11 @@ fn set(model: &mut Model, condition: Condition, text: &str) {
     let known = model.guide.breakpoints.iter_mut().find(|known| known.condition == condition);
     match known {
         Some(known) => known.is_on = true,
-        None => model.guide.breakpoints.push(Breakpoint { condition, text: text.to_owned(), is_on: true }),
+        None => {
+            let mut new = Breakpoint::new(condition, text);
+            new.find(Run { log: &model.log, tree: &model.tree }, model.numbers);
+            model.guide.breakpoints.push(new);
+        }
     }
     model.say(&(model.texts().breakpoints.set)(text));
 }
@@ -50,12 +56,22 @@ pub(super) fn toggle_here(model: &mut Model) {
     }
 }
 
-/// The list of all.
+/// Looks for the places of all, in another log or where numbers are shown otherwise.
+pub(super) fn renew(model: &mut Model) {
+    let run = Run { log: &model.log, tree: &model.tree };
+    model.guide.breakpoints.iter_mut().for_each(|breakpoint| breakpoint.find(run, model.numbers));
+}
+
+/// The list of all, with how often each has stopped a run, and at how many places it does in this log.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let lists = &model.texts().lists;
     let entry = |breakpoint: &Breakpoint| {
         let (state, role) = if breakpoint.is_on { (lists.on, Role::Text) } else { (lists.off, Role::Faint) };
-        Entry::plain(format!("{state}\t{}", crate::report::words::plain(&breakpoint.text)), role)
+        // How many there are tells of what a quiz or a growing tree doesn't show yet.
+        let is_told = !run::is_hidden(model, breakpoint) && model.guide.grown.is_none();
+        let places = if is_told { breakpoint.places.count().to_string() } else { "?".to_owned() };
+        let (hits, text) = (breakpoint.hits.to_string(), plain(&breakpoint.text));
+        Entry::plain(cells([state.to_owned(), hits, places, text]), role)
     };
     model.guide.breakpoints.iter().map(entry).collect()
 }
@@ -83,13 +99,15 @@ pub(super) fn delete(model: &mut Model, selected: usize) {
 pub(super) fn go_to_next(model: &mut Model, selected: usize) {
     let Some(breakpoint) = model.guide.breakpoints.get(selected) else { return };
     let holds = |event: &usize| run::stops_at(model, breakpoint, *event);
+    let places = &breakpoint.places;
     let (text, is_hidden) = (breakpoint.text.clone(), run::is_hidden(model, breakpoint));
     // Beyond the end it goes on at the beginning.
     let (count, here) = (model.log.events.len(), model.event);
-    match (here + 1..count).chain(0..count.min(here + 1)).find(holds) {
+    let found = places.among(here + 1..count).chain(places.among(0..count.min(here + 1))).find(holds);
+    match found {
         Some(event) => {
             model.overlay = None;
-            run::stop(model, event, text);
+            run::arrive(model, event, text);
         }
         None if is_hidden => model.say(model.texts().breakpoints.hidden),
         None => model.say(&(model.texts().breakpoints.nowhere)(&text)),

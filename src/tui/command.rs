@@ -5,7 +5,7 @@ use super::keys::Walk;
 use super::model::list::Kind;
 use super::model::prompt::Purpose;
 use super::model::{Model, breakpoint};
-use super::{bookmarks, breakpoints, drawn, edit, jumps, plane, search, understanding, walk};
+use super::{bookmarks, breakpoints, drawn, edit, eval, jumps, plane, search, understanding, walk, watch};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
 use crate::report::Style;
@@ -41,12 +41,19 @@ enum Argument {
     Decimals,
     Plane,
     Schematic,
+    Expression,
+    /// The key of a quantity, or nothing.
+    Quantity,
+    Key,
 }
 
 impl Argument {
     /// Whether a command says by itself that it is missing.
     fn is_needed(self) -> bool {
-        matches!(self, Argument::File | Argument::Number | Argument::Name | Argument::Note)
+        matches!(
+            self,
+            Argument::File | Argument::Number | Argument::Name | Argument::Note | Argument::Expression | Argument::Key
+        )
     }
 
     /// How it is written where commands are listed.
@@ -66,6 +73,9 @@ impl Argument {
             Argument::Decimals => "N",
             Argument::Plane => texts.plane,
             Argument::Schematic => texts.what_or_side,
+            Argument::Expression => texts.expression,
+            Argument::Quantity => texts.quantity,
+            Argument::Key => texts.key,
         }
     }
 }
@@ -85,7 +95,7 @@ const COMMANDS: &[Command] = &[
     Command { name: "book", argument: Argument::Nothing, run: |model, _| Ok(understanding::open(model, Kind::Book)) },
     Command { name: "bookmark", argument: Argument::Bookmark, run: bookmark },
     Command { name: "bookmarks", argument: Argument::Nothing, run: |model, _| go(model, Walk::Marks) },
-    Command { name: "break", argument: Argument::Condition, run: |model, text| plainly(breakpoints::add(model, text)) },
+    Command { name: BREAK, argument: Argument::Condition, run: |model, text| plainly(breakpoints::add(model, text)) },
     Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| go(model, Walk::Breakpoints) },
     Command {
         name: "causes",
@@ -100,6 +110,7 @@ const COMMANDS: &[Command] = &[
     },
     Command { name: "digits", argument: Argument::Decimals, run: digits },
     Command { name: "edit", argument: Argument::Nothing, run: |model, _| Ok(edit::object(model)) },
+    Command { name: EVAL, argument: Argument::Expression, run: |model, text| plainly(eval::answer(model, text)) },
     Command { name: "export", argument: Argument::File, run: export },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
     Command {
@@ -109,6 +120,11 @@ const COMMANDS: &[Command] = &[
     },
     Command { name: "grow", argument: Argument::Nothing, run: |model, _| go(model, Walk::Grow) },
     Command { name: "help", argument: Argument::Nothing, run: |model, _| Ok(walk::open_help(model)) },
+    Command {
+        name: HISTORY,
+        argument: Argument::Quantity,
+        run: |model, text| plainly(watch::open_history(model, text)),
+    },
     Command { name: LANG, argument: Argument::Language, run: language },
     Command { name: "mouse", argument: Argument::Nothing, run: |model, _| go(model, Walk::Mouse) },
     Command { name: "note", argument: Argument::Note, run: bookmarks::note },
@@ -140,8 +156,19 @@ const COMMANDS: &[Command] = &[
     },
     Command { name: "stops", argument: Argument::Nothing, run: |model, _| go(model, Walk::Stops) },
     Command { name: "undo", argument: Argument::Nothing, run: |_, _| Ok(Effect::Change(Change::Undo)) },
+    Command { name: UNWATCH, argument: Argument::Key, run: |model, text| plainly(watch::remove(model, text)) },
+    Command { name: WATCH, argument: Argument::Quantity, run: |model, text| plainly(watch::add(model, text)) },
     Command { name: "write", argument: Argument::File, run: |_, path| Ok(Effect::Save(path.to_owned())) },
 ];
+
+/// The command for breakpoints.
+const BREAK: &str = "break";
+
+/// The commands for values.
+const EVAL: &str = "eval";
+const HISTORY: &str = "history";
+const WATCH: &str = "watch";
+const UNWATCH: &str = "unwatch";
 
 /// The command for parameters of the scene.
 const SET: &str = "set";
@@ -276,6 +303,7 @@ fn digits(model: &mut Model, text: &str) -> Done {
     // What was made is written with the others, and values are searched as they are shown.
     model.understanding.listing = None;
     search::renew(model);
+    breakpoints::renew(model);
     Ok(Effect::None)
 }
 
@@ -350,20 +378,19 @@ pub(super) fn file_in(line: &str) -> Option<&str> {
 
 /// How the typed text may go on, if something can go on there.
 pub(super) fn completions(model: &Model, purpose: Purpose, text: &str) -> Vec<String> {
-    let of_break = |before: &str, text: &str| -> Vec<String> {
-        let words = breakpoint::words(&model.log).into_iter().filter(|word| word.starts_with(text));
-        words.map(|word| format!("{before}{word}")).collect()
-    };
-    if let (Purpose::Command, Some(begun)) = (purpose, text.strip_prefix("schematic ")) {
-        let words = drawn::words().into_iter().filter(|word| word.starts_with(begun));
-        return words.map(|word| format!("{SCHEMATIC} {word}")).collect();
-    }
-    match (purpose, text.strip_prefix("break ")) {
-        (Purpose::Break, _) => of_break("", text),
-        (Purpose::Command, Some(condition)) => of_break("break ", condition),
-        (Purpose::Command, None) if is_of_parameter(text) => Vec::new(),
-        (Purpose::Command, None) if plane::is_typed(text) => plane::completions(model, text),
-        (Purpose::Command, None) => {
+    let (word, rest) = text.split_once(' ').map_or((text, None), |(word, rest)| (word, Some(rest)));
+    let behind = |ways: Vec<String>| ways.into_iter().map(|way| format!("{word} {way}")).collect();
+    match (purpose, word, rest) {
+        (Purpose::Break, ..) => breakpoint::completions(&model.log, text),
+        (Purpose::Command, BREAK, Some(condition)) => behind(breakpoint::completions(&model.log, condition)),
+        (Purpose::Command, EVAL, Some(expression)) => behind(eval::completions(model, expression)),
+        (Purpose::Command, WATCH | HISTORY, Some(key)) => behind(watch::completions(model, key)),
+        (Purpose::Command, UNWATCH, Some(key)) => behind(watch::pinned_completions(model, key)),
+        (Purpose::Command, SCHEMATIC, Some(begun)) => {
+            behind(drawn::words().into_iter().filter(|word| word.starts_with(begun)).map(str::to_owned).collect())
+        }
+        (Purpose::Command, plane::PICTURE, Some(_)) => plane::completions(model, text),
+        (Purpose::Command, _, None) => {
             let begun = COMMANDS.iter().filter(|command| command.name.starts_with(text));
             let gap = |command: &Command| if command.argument == Argument::Nothing { "" } else { " " };
             begun.map(|command| format!("{}{}", command.name, gap(command))).collect()

@@ -192,7 +192,8 @@ pub fn meant(model: &Model, key: KeyEvent) -> Option<Action> {
 
 /// What a key does only in a list.
 fn in_list(model: &Model, key: KeyEvent) -> Option<Action> {
-    let is_list = matches!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints | Kind::Bookmarks, .. }));
+    let is_list =
+        matches!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints | Kind::Bookmarks | Kind::Watches, .. }));
     let chord = Chord { first: model.pending.prefix, key: name(key)? };
     let is_delete = is_list && key.kind != KeyEventKind::Release && bound::deletes(&model.guide.bindings, &chord);
     is_delete.then_some(Walk(Walk::Delete))

@@ -5,7 +5,7 @@ use super::keys::{Action, Walk};
 use super::listing::listing;
 use super::model::list::{Entry, Kind};
 use super::model::{Model, Overlay};
-use super::{bookmarks, breakpoints, jumps, run, view};
+use super::{bookmarks, breakpoints, jumps, run, view, watch};
 use ratatui::layout::Position;
 
 /// How many columns of the screen a list is scrolled at once.
@@ -26,6 +26,8 @@ pub(super) fn update(
         (Action::Toggle, Kind::Breakpoints) => breakpoints::turn(model, selected),
         (Action::Walk(Walk::Delete), Kind::Breakpoints) => breakpoints::delete(model, selected),
         (Action::Walk(Walk::Delete), Kind::Bookmarks) => return bookmarks::delete(model, selected),
+        (Action::In | Action::Enter, Kind::Watches | Kind::History) => watch::enter(model, kind, selected),
+        (Action::Walk(Walk::Delete), Kind::Watches) => watch::delete(model, selected),
         (Action::In | Action::Enter, Kind::Stops) => return run::go_to(model, selected),
         (Action::In | Action::Enter, _) => {
             let selected = listing.entries.get(selected).filter(|entry| entry.leads());

@@ -10,7 +10,7 @@ use super::model::layout::Layout;
 use super::model::list::Kind;
 use super::model::picture::{Image, PictureView, Wanted};
 use super::model::{Model, Pane};
-use super::{bookmarks, jumps, plane, prompt, quiz, search, understanding};
+use super::{bookmarks, breakpoints, jumps, plane, prompt, quiz, search, understanding, watch};
 use crate::files::suggest;
 use crate::log::plane::Plane;
 use crate::log::tree::Place;
@@ -281,7 +281,11 @@ pub(super) fn reload(model: &mut Model, live: &mut Option<&mut dyn Live>) {
 fn show_changed(model: &mut Model, log: Log) -> String {
     let before = model.log.clone();
     show_log(model, log);
-    model.numbers = Style::of(&model.log.header, model.numbers.digits);
+    let numbers = Style::of(&model.log.header, model.numbers.digits);
+    if numbers != model.numbers {
+        model.numbers = numbers;
+        breakpoints::renew(model);
+    }
     // The picture and the lines are those of the scene before.
     model.drawing = None;
     if let Some(view) = &mut model.picture {
@@ -341,6 +345,8 @@ pub fn show_log(model: &mut Model, log: Log) {
     }
     model.guide.pace.is_playing = false;
     bookmarks::renew(model);
+    breakpoints::renew(model);
+    watch::renew(model);
     quiz::renew(model);
     search::renew(model);
     // The other tree may be smaller than what was scrolled past.

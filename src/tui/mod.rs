@@ -16,6 +16,7 @@ mod drawn;
 pub mod dump;
 mod edit;
 mod effect;
+mod eval;
 mod glossary;
 mod jumps;
 pub mod keys;
@@ -53,6 +54,7 @@ mod understanding;
 mod update;
 mod view;
 mod walk;
+mod watch;
 
 pub use command::check as check_command;
 pub use effect::{Change, Effect, Exit};

@@ -72,11 +72,6 @@ fn path_here(model: &Model) -> PathPattern {
     path.of_all()
 }
 
-/// Whether a line is about the picture.
-pub(super) fn is_typed(line: &str) -> bool {
-    line.strip_prefix(PICTURE).is_some_and(|rest| rest.starts_with(' '))
-}
-
 /// How the line may go on.
 pub(super) fn completions(model: &Model, line: &str) -> Vec<String> {
     let typed = line.strip_prefix(PICTURE).unwrap_or_default().trim_start();

@@ -35,9 +35,9 @@ pub(super) fn tick(model: &mut Model) {
     let here = model.event;
     let next = steps::after(&model.log.events, here, Stop::Value, 1);
     let until = next.map_or(model.log.events.len(), |next| next + 1);
-    if let Some((event, breakpoint)) = run::first_stop(model, here + 1..until) {
+    if let Some(event) = run::first_stop(model, here + 1..until) {
         model.guide.pace.is_playing = false;
-        return run::stop(model, event, breakpoint);
+        return run::stop(model, event);
     }
     match next {
         Some(next) => model.go_to_event(next),

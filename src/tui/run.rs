@@ -7,6 +7,7 @@ use super::model::guide::Stopped;
 use super::model::list::{Entry, Kind};
 use super::model::{Model, Overlay};
 use crate::report::words::plain;
+use std::ops::Range;
 
 /// The most stops that are remembered.
 const MOST: usize = 1000;
@@ -22,10 +23,10 @@ pub(super) fn run(model: &mut Model, is_forward: bool, times: usize) {
         let (here, count) = (model.event, model.log.events.len());
         let found = match is_forward {
             true => first_stop(model, here + 1..count),
-            false => first_stop(model, (0..here).rev()),
+            false => last_stop(model, 0..here),
         };
         match found {
-            Some((event, text)) => stop(model, event, text),
+            Some(event) => stop(model, event),
             None => return say_no_more(model, is_forward, (done, times)),
         }
     }
@@ -44,9 +45,16 @@ fn say_no_more(model: &mut Model, is_forward: bool, (done, times): (usize, usize
 
 /// Whether a breakpoint stops at an event. In a quiz it doesn't where that would tell what is hidden.
 pub(super) fn stops_at(model: &Model, breakpoint: &Breakpoint, event: usize) -> bool {
-    let found = &model.log.events[event];
-    let tells = || model.hides(event) && breakpoint.condition.tells(&found.what);
-    breakpoint.condition.holds(found, model.numbers) && !tells()
+    breakpoint.places.has(event) && !tells(model, breakpoint, event)
+}
+
+/// Whether that a breakpoint stops at an event would tell what a quiz hides. One of several terms may be about values before the event, too.
+fn tells(model: &Model, breakpoint: &Breakpoint, event: usize) -> bool {
+    let is_hidden = || match breakpoint.condition.is_compound() {
+        true => model.understanding.quiz.is_some() && event >= model.event,
+        false => model.hides(event),
+    };
+    is_hidden() && breakpoint.condition.tells(&model.log.events[event].what)
 }
 
 /// Whether a quiz may keep a breakpoint from stopping somewhere, whatever the log holds.
@@ -54,20 +62,74 @@ pub(super) fn is_hidden(model: &Model, breakpoint: &Breakpoint) -> bool {
     model.understanding.quiz.is_some() && breakpoint.condition.may_tell()
 }
 
-/// The first of these events that a breakpoint stops at, and that breakpoint.
-pub(super) fn first_stop(model: &Model, mut events: impl Iterator<Item = usize>) -> Option<(usize, String)> {
-    let on: Vec<_> = model.guide.breakpoints.iter().filter(|breakpoint| breakpoint.is_on).collect();
-    if on.is_empty() {
-        return None;
-    }
-    events.find_map(|event| {
-        let stops = on.iter().find(|one| stops_at(model, one, event))?;
-        Some((event, stops.text.clone()))
-    })
+/// The breakpoints that are on.
+fn on(model: &Model) -> impl Iterator<Item = &Breakpoint> {
+    model.guide.breakpoints.iter().filter(|breakpoint| breakpoint.is_on)
 }
 
-/// Stops at an event, and remembers it.
-pub(super) fn stop(model: &mut Model, event: usize, breakpoint: String) {
+/// The first of these events that a breakpoint stops at.
+pub(super) fn first_stop(model: &Model, events: Range<usize>) -> Option<usize> {
+    let first = |one: &Breakpoint| one.places.among(events.clone()).find(|event| !tells(model, one, *event));
+    on(model).filter_map(first).min()
+}
+
+/// The last of them.
+fn last_stop(model: &Model, events: Range<usize>) -> Option<usize> {
+    let last = |one: &Breakpoint| one.places.among(events.clone()).rev().find(|event| !tells(model, one, *event));
+    on(model).filter_map(last).max()
+}
+
+/// Whether a breakpoint that is on stops at an event, as far as that may be shown.
+pub(super) fn marks_event(model: &Model, event: usize) -> bool {
+    model.guide.is_known(event) && on(model).any(|one| stops_at(model, one, event))
+}
+
+/// Whether there are marks of breakpoints beside rows at all.
+pub(super) fn has_gutter(model: &Model) -> bool {
+    on(model).next().is_some()
+}
+
+/// Whether a row of the tree has a mark: for one of the node's own events, or, where it is closed, for one inside it.
+pub(super) fn marks_node(model: &Model, node: usize) -> bool {
+    if !model.fold.is_open(&model.tree, node) {
+        return marks_inside(model, node);
+    }
+    let is_own = |event: usize| model.tree.owner(event) == node;
+    on(model).any(|one| one.places.are_in(node) && (!may_be_hidden(model, one) || is_seen(model, one, node, is_own)))
+}
+
+/// Whether one stops anywhere in a node.
+pub(super) fn marks_inside(model: &Model, node: usize) -> bool {
+    let has_some = |one: &Breakpoint| one.places.among(model.tree.nodes()[node].events.clone()).next().is_some();
+    on(model).any(|one| has_some(one) && (!may_be_hidden(model, one) || is_seen(model, one, node, |_| true)))
+}
+
+/// Whether some places of a breakpoint may not be shown: a quiz or a tree that grows hides them.
+fn may_be_hidden(model: &Model, breakpoint: &Breakpoint) -> bool {
+    model.guide.grown.is_some() || is_hidden(model, breakpoint)
+}
+
+/// Whether one of the places of a breakpoint in a node may be shown.
+fn is_seen(model: &Model, breakpoint: &Breakpoint, node: usize, is_it: impl Fn(usize) -> bool) -> bool {
+    /// The most that are looked at, which is done for each row of a frame.
+    const MOST: usize = 1000;
+    let places = breakpoint.places.among(model.tree.nodes()[node].events.clone()).take(MOST);
+    places.into_iter().any(|event| is_it(event) && model.guide.is_known(event) && !tells(model, breakpoint, event))
+}
+
+/// Stops at an event, counts that for each breakpoint that stops there, and remembers it.
+pub(super) fn stop(model: &mut Model, event: usize) {
+    let stopping = |one: &&Breakpoint| one.is_on && stops_at(model, one, event);
+    let breakpoint = model.guide.breakpoints.iter().find(stopping).map(|one| one.text.clone()).unwrap_or_default();
+    let stops: Vec<_> = model.guide.breakpoints.iter().map(|one| stopping(&one)).collect();
+    for (one, _) in model.guide.breakpoints.iter_mut().zip(stops).filter(|(_, stops)| *stops) {
+        one.hits = one.hits.saturating_add(1);
+    }
+    arrive(model, event, breakpoint);
+}
+
+/// Goes where a breakpoint stops, and remembers it.
+pub(super) fn arrive(model: &mut Model, event: usize, breakpoint: String) {
     jumps::to_event(model, event);
     let what = model.describe(event);
     model.say(&(model.texts().breakpoints.stopped)(&plain(&breakpoint), &what));

@@ -313,6 +313,15 @@ fn large_logs_stay_usable() {
             assert_eq!(model.step(), 1_000_000);
         }
     }
+    // Breakpoints and watches find their places once: a run and a frame look them up.
+    typed(&mut model, "bplane.v_d>1000000 Space and Space sample Enter * 0r");
+    assert_eq!(model.step(), 1_000_001);
+    typed(&mut model, ":watch Space plane.v_d Enter");
+    for keys in ["g", "G", "r", "#"] {
+        typed(&mut model, keys);
+        (0..10).for_each(|_| _ = frame(&model, 120, 40, &theme));
+    }
+    typed(&mut model, "Esc");
     // The search was made as far as it was asked for; what is left is looked at while nothing else is to be done.
     let place = |model: &Model| model.guide.search.as_ref().map(|search| search.place(0, &model.texts().status));
     assert_eq!(place(&model).as_deref(), Some("counting matches"));

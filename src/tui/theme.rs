@@ -116,6 +116,7 @@ glyphs! {
     cut_left: "…", "<";
     cut_right: "…", ">";
     differs: "≠", "!";
+    breakpoint: "◆", "&";
 }
 
 impl Theme {

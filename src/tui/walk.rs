@@ -6,7 +6,7 @@ use super::model::list::Kind;
 use super::model::prompt::{Prompt, Purpose};
 use super::model::{Model, Overlay};
 use super::steps::Step;
-use super::{bookmarks, breakpoints, copy, edit, jumps, listing, mouse, play, run, search};
+use super::{bookmarks, breakpoints, copy, edit, jumps, listing, mouse, play, run, search, watch};
 
 /// Does it; `count` is the number typed before.
 pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effect {
@@ -21,6 +21,12 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
         Walk::Run => run::run(model, true, times),
         Walk::RunBack => run::run(model, false, times),
         Walk::Stops => run::open(model),
+        Walk::Watch => watch::toggle_here(model),
+        Walk::History => {
+            if let Err(why) = watch::open_history(model, "") {
+                model.say(&why);
+            }
+        }
         Walk::Play => play::toggle(model),
         Walk::Faster => play::change(model, |rate| rate * 2),
         Walk::Slower => play::change(model, |rate| rate / 2),

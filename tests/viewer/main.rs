@@ -21,6 +21,7 @@ mod spanish;
 #[cfg(unix)]
 mod terminal;
 mod understanding;
+mod values;
 #[cfg(unix)]
 mod waiting;
 #[cfg(unix)]

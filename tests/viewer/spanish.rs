@@ -255,7 +255,7 @@ fn no_frame_says_anything_in_english() {
     let log = by_hand();
     let foreign = Foreign::beside_names_of(&log);
     let mut wrong = Vec::new();
-    for keys in EVERYWHERE.into_iter().chain(LINES) {
+    for keys in EVERYWHERE.into_iter().chain(LINES).chain(crate::values::KEYS) {
         for (size, live) in
             [((19, 5), false), ((40, 12), false), ((80, 24), true), ((200, 60), false), ((200, 60), true)]
         {

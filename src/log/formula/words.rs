@@ -41,9 +41,19 @@ words! {
         Exp = "exp",
         /// eˣ − 1
         ExpM1 = "expm1",
+        /// The natural logarithm.
+        Ln = "ln",
         /// The natural logarithm of 1 + x.
         Ln1p = "ln1p",
         /// The least whole number that isn't below.
         Ceil = "ceil",
+        /// The angle with this sine, from −π/2 to π/2.
+        Asin = "asin",
+        /// The angle with this cosine, from 0 to π.
+        Acos = "acos",
+        /// The angle with this tangent, from −π/2 to π/2.
+        Atan = "atan",
+        /// An angle in radians in degrees.
+        Deg = "deg",
     }
 }

@@ -10,7 +10,12 @@ pub(super) fn of(function: Function, x: f64) -> f64 {
         Function::Tan => libm::tan(x),
         Function::Exp => libm::exp(x),
         Function::ExpM1 => libm::expm1(x),
+        Function::Ln => libm::log(x),
         Function::Ln1p => libm::log1p(x),
+        Function::Asin => libm::asin(x),
+        Function::Acos => libm::acos(x),
+        Function::Atan => libm::atan(x),
+        Function::Deg => x.to_degrees(),
         Function::Ceil => libm::ceil(x),
     }
 }

@@ -127,7 +127,8 @@ impl Notation for Tex {
 
     fn function(name: &str) -> String {
         match name {
-            "cos" | "sin" | "tan" | "exp" | "min" | "max" => format!("\\{name}"),
+            "cos" | "sin" | "tan" | "exp" | "ln" | "min" | "max" => format!("\\{name}"),
+            "asin" | "acos" | "atan" => format!("\\arc{}", &name[1..]),
             QUANTILE => format!("\\operatorname{{{name}}}"),
             _ => format!("\\mathrm{{{name}}}"),
         }

@@ -21,6 +21,10 @@ pub enum Walk {
     Run,
     RunBack,
     Stops,
+    /// Watch the quantity at the current step, or no longer.
+    Watch,
+    /// All values of that quantity.
+    History,
     Play,
     Faster,
     Slower,
@@ -66,6 +70,8 @@ pub(super) const TABLE: &[Row] = &[
     row(|groups| groups.run, &["r"], Action::Walk(Walk::Run), |keys| keys.run),
     row(|groups| groups.run, &["R"], Action::Walk(Walk::RunBack), |keys| keys.run_back),
     row(|groups| groups.run, &["L"], Action::Walk(Walk::Stops), |keys| keys.stops),
+    row(|groups| groups.run, &["*"], Action::Walk(Walk::Watch), |keys| keys.watch),
+    row(|groups| groups.run, &["#"], Action::Walk(Walk::History), |keys| keys.history),
     row(|groups| groups.run, &["P"], Action::Walk(Walk::Play), |keys| keys.play),
     row(|groups| groups.run, &["+"], Action::Walk(Walk::Faster), |keys| keys.faster),
     row(|groups| groups.run, &["-"], Action::Walk(Walk::Slower), |keys| keys.slower),

@@ -6,6 +6,7 @@ use super::fold::Folds;
 use super::history::History;
 use super::jumps::{Jumps, Spot};
 use super::search::Search;
+use super::watch::Watches;
 use crate::log::tree::Place;
 
 /// What the user has set to find the way.
@@ -17,6 +18,8 @@ pub struct Guide {
     pub breakpoints: Vec<Breakpoint>,
     /// Where runs have stopped, the latest last.
     pub stops: Vec<Stopped>,
+    /// Which quantities are watched.
+    pub watches: Watches,
     /// How fast it plays, and whether.
     pub pace: Pace,
     /// While the tree grows: the event up to which it has.

@@ -10,6 +10,10 @@ pub enum Kind {
     Breakpoints,
     /// Where they have stopped.
     Stops,
+    /// The quantities that are watched.
+    Watches,
+    /// All values of a quantity.
+    History,
     /// The bookmarks.
     Bookmarks,
     /// What the value at the current step is made of.
@@ -36,6 +40,7 @@ impl Kind {
         match self {
             Kind::Breakpoints => &hints.breakpoints,
             Kind::Bookmarks => &hints.bookmarks,
+            Kind::Watches => &hints.watches,
             _ => &[],
         }
     }

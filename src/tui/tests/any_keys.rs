@@ -9,13 +9,18 @@ use proptest::prelude::*;
 fn happening() -> impl Strategy<Value = String> {
     let rows: Vec<_> = keys::rows().flat_map(|row| row.keys).filter(|key| !key.contains("letter")).collect();
     let row = prop::sample::select(rows.into_iter().map(|key| (*key).to_owned()).collect::<Vec<_>>());
-    const LINES: [&str; 12] = [
+    const LINES: [&str; 17] = [
         "/ s p h e r e Enter",
         "/ 1 Enter",
         "f l i g h t Enter",
         "f ^u Enter",
         "b h i t Enter",
         "b N * L < 0 Enter",
+        "b h i t Space o r Space d e p t h > 0 Enter",
+        ": w a t c h Space N * L Enter",
+        ": w a t c h Enter",
+        ": h i s t o r y Space d Enter",
+        ": e v a l Space N * L Enter",
         ": 7 Enter",
         ": b r Tab Space d e p t h Space 1 Enter",
         "? / k e y",

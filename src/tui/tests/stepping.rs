@@ -128,19 +128,19 @@ fn breakpoints_are_listed() {
     let texts = |model: &Model| {
         listing(model, Kind::Breakpoints).entries.into_iter().map(|entry| entry.text).collect::<Vec<_>>()
     };
-    assert_eq!(texts(&model), ["on\thit", "on\tT2_A < 0", "on\tV_d ~ 0"]);
+    assert_eq!(texts(&model), ["on\t0\t2\thit", "on\t0\t2\tT2_A < 0", "on\t0\t0\tV_d ~ 0"]);
     typed(&mut model, "j Space");
-    assert_eq!(texts(&model), ["on\thit", "off\tT2_A < 0", "on\tV_d ~ 0"]);
+    assert_eq!(texts(&model), ["on\t0\t2\thit", "off\t0\t2\tT2_A < 0", "on\t0\t0\tV_d ~ 0"]);
     typed(&mut model, "j d");
-    assert_eq!(texts(&model), ["on\thit", "off\tT2_A < 0"]);
+    assert_eq!(texts(&model), ["on\t0\t2\thit", "off\t0\t2\tT2_A < 0"]);
     assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, selected: 1, shift: 0 }));
     // Enter goes to the next place of one that is off, too, and around the end.
     let places = |model: &Model, text: &str| {
         let condition = crate::tui::model::breakpoint::parse(text, &model.log, &model.texts().breakpoints)
             .unwrap_or_else(|why| panic!("{why}"));
-        let holds = |event: &&crate::log::Event| condition.holds(event, model.numbers);
-        let held = model.log.events.iter().filter(holds);
-        held.map(|event| event.at as usize).collect::<Vec<_>>()
+        let run = crate::report::side_by_side::Run { log: &model.log, tree: &model.tree };
+        let held = (0..model.log.events.len()).filter(|event| condition.stops_at(run, *event, model.numbers));
+        held.map(|event| event + 1).collect::<Vec<_>>()
     };
     let hits = places(&model, "hit");
     goes(&mut model, "k Enter", hits[0]);

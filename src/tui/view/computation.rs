@@ -1,13 +1,14 @@
 //! The computation of the selected node: its values with formulas and numbers put in, its decisions, its inputs.
 
 use super::label::label;
-use super::{highlight, pattern};
+use super::{highlight, pattern, watch};
 use super::{put_all, title};
 use crate::log::tree::Item;
 use crate::log::{Decision, Event, What};
 use crate::report::{self, path_class};
 use crate::tui::model::layout::Layout;
 use crate::tui::model::{Model, Pane};
+use crate::tui::run;
 use crate::tui::text::{Piece, shown, width_of, wrap};
 use crate::tui::theme::{Palette, Role, Theme};
 use ratatui::buffer::Buffer;
@@ -31,7 +32,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
 
 /// What is shown at a place on the screen; `area` is that of the pane.
 pub(in crate::tui) fn item_at(model: &Model, area: Rect, at: Position) -> Option<Item> {
-    let body = Layout::body(pattern::split(model, area).0);
+    let body = Layout::body(watch::split(model, pattern::split(model, area).0).0);
     let theme = Theme::new(Palette::None, model.is_ascii);
     let lines = lines(model, &theme, usize::from(body.width), usize::from(body.height));
     let row = body.contains(at).then(|| usize::from(at.y - body.y))?;
@@ -41,7 +42,8 @@ pub(in crate::tui) fn item_at(model: &Model, area: Rect, at: Position) -> Option
 /// The lines to show with what they are about, so that the current step is among them.
 fn lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<(Line<'static>, Item)> {
     let items = model.items();
-    let width = width.saturating_sub(2);
+    let has_gutter = run::has_gutter(model);
+    let width = width.saturating_sub(2 + usize::from(has_gutter));
     let current = items.iter().position(|item| is_current(model, *item)).unwrap_or(0);
     // Every item has a line at least, so that no item further off can be on the screen.
     let first = current.saturating_sub(height);
@@ -54,15 +56,29 @@ fn lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<(Line
         }
         lines.extend(block.into_iter().map(|line| (line, *item)));
     }
-    let at_mark = Span::styled(format!("{} ", theme.glyphs.current), theme.style(Role::Current));
-    let is_other = Span::styled(format!("{} ", theme.glyphs.differs), theme.style(Role::Warning));
+    // Beside the mark is a blank, or the gutter and a blank.
+    let beside = if has_gutter { "" } else { " " };
+    let at_mark = Span::styled(format!("{}{beside}", theme.glyphs.current), theme.style(Role::Current));
+    let is_other = Span::styled(format!("{}{beside}", theme.glyphs.differs), theme.style(Role::Warning));
+    let stops = Span::styled(theme.glyphs.breakpoint, theme.style(Role::Blocked));
+    // A step of several lines has one mark: at its first line, or, if it is the current one, beside that of the step.
+    let lines_of: Vec<_> = lines.iter().map(|(_, item)| *item).collect();
     let with_margin = |(number, (line, item)): (usize, (Line<'static>, Item))| {
-        let margin = match number == mark {
+        let own = match number == mark {
             true => at_mark.clone(),
             false if is_changed(model, item) => is_other.clone(),
-            false => Span::raw("  "),
+            false => Span::raw(format!(" {beside}")),
         };
-        (Line::from_iter(std::iter::once(margin).chain(line.spans)), item)
+        let is_first =
+            if (begin..end).contains(&number) { number == mark } else { number == 0 || lines_of[number - 1] != item };
+        let stop = match has_gutter {
+            true if is_first && is_stop(model, item) => Some(stops.clone()),
+            true => Some(Span::raw(" ")),
+            false => None,
+        };
+        let blank = has_gutter.then(|| Span::raw(" "));
+        let margin = [Some(own), stop, blank].into_iter().flatten();
+        (Line::from_iter(margin.chain(line.spans)), item)
     };
     let skipped = begin.saturating_sub(height / 3).min(lines.len().saturating_sub(height));
     // All of the step, or, if there is too much of it, the line with the mark.
@@ -75,6 +91,14 @@ fn is_changed(model: &Model, item: Item) -> bool {
     match item {
         Item::Event(event) => model.changed.events.contains(&event),
         Item::Node(node) => model.changed.nodes.contains(&node),
+    }
+}
+
+/// Whether a breakpoint stops at an item; at a node where it stops inside it.
+fn is_stop(model: &Model, item: Item) -> bool {
+    match item {
+        Item::Event(event) => run::marks_event(model, event),
+        Item::Node(node) => run::marks_inside(model, node),
     }
 }
 

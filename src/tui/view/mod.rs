@@ -16,6 +16,7 @@ mod schematic;
 mod status;
 mod table;
 mod tree;
+mod watch;
 
 pub(super) use computation::item_at;
 pub(super) use list::{entry_at, last_shift};
@@ -40,6 +41,8 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     tree::draw(model, theme, layout.area(Pane::Tree), buffer);
     layout.dividers.iter().for_each(|divider| draw_divider(*divider, theme, buffer));
     let (computation, pattern) = pattern::split(model, layout.area(Pane::Computation));
+    let (computation, watched) = watch::split(model, computation);
+    watch::draw(model, theme, watched, buffer);
     computation::draw(model, theme, computation, buffer);
     pattern::draw(model, theme, pattern, buffer);
     picture::draw(model, theme, layout.area(Pane::Picture), buffer);

@@ -5,6 +5,7 @@ use super::{put, title};
 use crate::report::words;
 use crate::tui::model::layout::Layout;
 use crate::tui::model::{Model, Pane};
+use crate::tui::run;
 use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
@@ -26,7 +27,12 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let rows = std::iter::successors(Some(top), |row| model.fold.below(&model.tree, *row));
     for (y, node) in (body.top()..body.bottom()).zip(rows) {
         let place = Rect { y, height: 1, ..body };
-        put(buffer, place, row(model, node, theme, usize::from(body.width)));
+        let gutter = Rect { width: u16::from(run::has_gutter(model)), ..place };
+        let beside = Rect { x: place.x + gutter.width, width: place.width - gutter.width.min(place.width), ..place };
+        if !gutter.is_empty() && run::marks_node(model, node) {
+            put(buffer, gutter, Span::styled(theme.glyphs.breakpoint, theme.style(Role::Blocked)).into());
+        }
+        put(buffer, beside, row(model, node, theme, usize::from(beside.width)));
         highlight::draw(model, place, buffer);
         if node == model.cursor {
             let mark = if model.focus == Pane::Tree { Modifier::REVERSED } else { Modifier::UNDERLINED };

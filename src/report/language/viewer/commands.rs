@@ -57,6 +57,12 @@ texts! {
     number = "N", "N";
     /// What represents a name.
     name = "NAME", "NOMBRE";
+    /// What represents an expression.
+    expression = "EXPRESSION", "EXPRESIÓN";
+    /// What represents a quantity, which may be left out.
+    quantity = "[KEY]", "[CLAVE]";
+    /// What represents a quantity.
+    key = "KEY", "CLAVE";
     /// Nothing follows a command that needs something.
     expected_more(command: &str, what: &str) = "expected :{command} {what}", "se espera :{command} {what}";
     /// What follows `bookmark`.

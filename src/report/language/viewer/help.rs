@@ -51,7 +51,9 @@ texts! {
     run = "Run and play", "Ejecutar y reproducir";
     find = "Find", "Buscar";
     keep = "Remember and copy", "Recordar y copiar";
-    breakpoints = "In the lists of breakpoints and bookmarks", "En las listas de puntos de interrupción y de marcadores";
+    breakpoints =
+        "In the lists of breakpoints, bookmarks and watches",
+        "En las listas de puntos de interrupción, marcadores y vigilancias";
     own = "Your own keys", "Sus propias teclas";
 }
 
@@ -159,6 +161,8 @@ named_texts! {
     run = "run to the next breakpoint (c folds)", "ejecutar hasta el siguiente punto de interrupción (c pliega)";
     run_back = "run back to the previous breakpoint", "volver hasta el punto de interrupción anterior";
     stops = "list where the runs stopped", "lista de dónde se ha parado la ejecución";
+    watch = "watch the quantity computed here, or no longer; :watch lists all", "vigilar la magnitud que se calcula aquí, o ya no; :watch las enumera";
+    history = "all values of this quantity, in order", "todos los valores de esta magnitud, en orden";
     play = "play, value by value; again to stop", "reproducir, valor a valor; otra vez para parar";
     faster = "play twice as fast", "reproducir el doble de rápido";
     slower = "play half as fast", "reproducir la mitad de rápido";

@@ -10,9 +10,9 @@ texts! {
     /// Where runs stop.
     breakpoints_title = "Breakpoints", "Puntos de interrupción";
     /// Its columns, and what is said where it has no entries.
-    breakpoints: List<2> =
-        list(["state", "stops at"], "none: b types one, x sets one here"),
-        list(["estado", "se para en"], "ninguno: b escribe uno, x pone uno aquí");
+    breakpoints: List<4> =
+        list(["state", "hits", "places", "stops at"], "none: b types one, x sets one here"),
+        list(["estado", "paradas", "lugares", "se para en"], "ninguno: b escribe uno, x pone uno aquí");
     /// A breakpoint that is on.
     on = "on", "sí";
     /// One that is off.
@@ -23,6 +23,18 @@ texts! {
     stops: List<4> =
         list(["step", "pixel", "stopped at", "what is there"], "nowhere yet: r runs to a breakpoint"),
         list(["paso", "píxel", "parado por", "qué hay allí"], "en ningún sitio: r va a un punto de interrupción");
+    /// The quantities that are watched.
+    watches_title = "Watched values", "Valores vigilados";
+    /// Its columns, and what is said where it has no entries.
+    watches: List<5> =
+        list(["step", "value", "path", "node", ""], "none: * watches the quantity here, :watch KEY any"),
+        list(["paso", "valor", "camino", "nodo", ""], "ninguno: * vigila la magnitud de aquí, :watch CLAVE cualquiera");
+    /// All values of a quantity.
+    history_title(name: &str) = "All values of {name}", "Todos los valores de {name}";
+    /// Its columns, and what is said where it has no entries.
+    history: List<5> =
+        list(["step", "value", "path", "node", ""], "no value"),
+        list(["paso", "valor", "camino", "nodo", ""], "ningún valor");
     /// The bookmarks.
     bookmarks_title = "Bookmarks", "Marcadores";
     /// Its columns, and what is said where it has no entries.
@@ -102,6 +114,10 @@ texts! {
     bookmarks: [Text; 2] =
         ["< > scroll, Enter goes there, d deletes, Esc closes", "Enter goes, d deletes, Esc closes"],
         ["< > desplazan, Enter va allí, d borra, Esc cierra", "Enter va, d borra, Esc cierra"];
+    /// In that of what is watched.
+    watches: [Text; 3] =
+        ["d unwatches, Enter goes there or lists all values, Esc closes", "d unwatches, Enter goes, Esc closes", "d unwatches, Enter goes"],
+        ["d deja de vigilar, Enter va allí o enumera los valores, Esc cierra", "d lo quita, Enter va, Esc cierra", "d lo quita, Enter va"];
     /// In that of breakpoints.
     breakpoints: [Text; 4] =
         [

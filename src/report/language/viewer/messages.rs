@@ -376,8 +376,28 @@ texts! {
     stopped(breakpoint: &str, what: &str) = "stopped by {breakpoint}: {what}", "parado por {breakpoint}: {what}";
     /// What can be typed.
     expected =
-        "expected a breakpoint: hit, shadow, object NAME, light NAME, depth 2 or T2_A < 0",
-        "se espera un punto de interrupción: hit, shadow, object NOMBRE, light NOMBRE, depth 2 o T2_A < 0";
+        "expected a breakpoint: hit, shadow, object NAME, light NAME, depth 2 or T2_A < 0; and, or join several",
+        "se espera un punto de interrupción: hit, shadow, object NOMBRE, light NOMBRE, depth 2 o T2_A < 0; and, or unen varios";
+    /// One term is missing beside `and` or `or`.
+    nothing_joined =
+        "expected a condition before and behind `and` and `or`, such as hit and depth 2",
+        "se espera una condición antes y después de `and` y de `or`, como hit and depth 2";
+    /// A parenthesis isn't closed at the end of its term.
+    not_closed(text: &str) =
+        "expected `)` at the end of `({text}`; parentheses go around conditions: (hit or miss) and depth 2",
+        "se espera `)` al final de `({text}`; los paréntesis encierran condiciones: (hit or miss) and depth 2";
+    /// There are too many parentheses inside each other.
+    too_nested = "too many parentheses inside each other", "demasiados paréntesis unos dentro de otros";
+    /// What is behind `is` is no class of numbers; the nearest, if there is one.
+    expected_class: fn(&str, &str) -> String =
+        |text, near| match near {
+            "" => format!("expected is nan, is infinite or is finite, or is not nan, ..., not is {text}"),
+            near => format!("no number is {text}; did you mean is {near}?"),
+        },
+        |text, near| match near {
+            "" => format!("se espera is nan, is infinite o is finite, o is not nan, ..., no is {text}"),
+            near => format!("ningún número es is {text}; ¿quiso decir is {near}?"),
+        };
     /// What kinds of events there are.
     expected_kind =
         "expected a kind of event such as shadow, hit, occluded or total-internal-reflection",
@@ -408,8 +428,8 @@ texts! {
     no_lights = "there is no light in this log", "no hay ninguna fuente en este registro";
     /// What can be typed behind `depth`.
     expected_depth =
-        "expected a level of the ray tree, such as depth 2",
-        "se espera un nivel del árbol de rayos, como depth 2";
+        "expected a level of the ray tree, such as depth 2 or depth >= 2",
+        "se espera un nivel del árbol de rayos, como depth 2 o depth >= 2";
     /// A number has no components.
     no_components(symbol: &str) =
         "{symbol} is a number and has no components",

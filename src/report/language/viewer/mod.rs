@@ -9,12 +9,14 @@ mod help;
 mod lists;
 mod messages;
 mod panes;
+mod values;
 
 pub use commands::Commands;
 pub use help::{Groups, Help, Keys};
 pub use lists::{Account, Arithmetics, Book, Glossary, Hints, List, Lists, ToCome};
 pub use messages::{Breakpoints, Messages, Quiz, Warnings};
 pub use panes::{Outcomes, Panes, Picture, Schematic, Status, StatusHints};
+pub use values::{Eval, Watch};
 
 texts! {
     /// The texts of the viewer.
@@ -33,6 +35,10 @@ texts! {
     quiz: Quiz;
     /// Breakpoints, and what is wrong with one that was typed.
     breakpoints: Breakpoints;
+    /// Quantities that are watched.
+    watch: Watch;
+    /// Expressions that are evaluated.
+    eval: Eval;
     /// Commands, and what is wrong with one that was typed.
     commands: Commands;
 }

@@ -1,175 +1,127 @@
-//! Breakpoints as they are typed: `hit`, `kind shadow`, `object sphere`, `light lamp`, `depth 2`, `T2_A ~ 0`,
-//! `ray.direction.y < -0.5`, `|ray.direction| > 1`. An error says what was expected, or what may have been meant.
+//! Conditions of several terms: `N·L < 0.2 and depth >= 2`, `(hit or miss) and object sphere`. `and` binds tighter than `or`.
 
-use super::condition::{Condition, Operator, Part, Quantity};
-use super::kind;
-use crate::files::suggest;
-use crate::log::{Log, Name, Value, What};
+use super::condition::Condition;
+use super::term;
+use crate::log::{Log, Name};
 use crate::report::language::viewer::Breakpoints;
 use crate::report::words::plain;
-use crate::tui::text::ascii;
 
-/// The operators, those that begin like another one before it.
-const OPERATORS: &[(&str, Operator)] = &[
-    ("<=", Operator::AtMost),
-    (">=", Operator::AtLeast),
-    ("!=", Operator::Unequal),
-    ("==", Operator::Equal),
-    ("≤", Operator::AtMost),
-    ("≥", Operator::AtLeast),
-    ("≠", Operator::Unequal),
-    ("≈", Operator::Near),
-    ("<", Operator::Below),
-    (">", Operator::Above),
-    ("=", Operator::Equal),
-    ("~", Operator::Near),
-];
+/// The most parentheses inside each other.
+const DEEPEST: usize = 32;
+
+/// What joins two terms.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Joint {
+    And,
+    Or,
+}
+
+/// A term as it is typed, and what joins it to the one before.
+struct Piece<'t> {
+    joint: Joint,
+    /// Where it begins and ends in the text.
+    begin: usize,
+    end: usize,
+    text: &'t str,
+}
 
 /// The condition that a text stands for, in a log that has these objects, lights and quantities.
 pub fn parse(text: &str, log: &Log, texts: &Breakpoints) -> Result<Condition, String> {
+    nested(text, log, texts, DEEPEST)
+}
+
+fn nested(text: &str, log: &Log, texts: &Breakpoints, room: usize) -> Result<Condition, String> {
     let text = text.trim();
-    if let Some(kind) = kind::find(text) {
-        return Ok(Condition::Kind(kind));
-    }
-    let (first, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
-    let rest = rest.trim();
-    let begins_name = !rest.is_empty() && operator(rest).is_none_or(|(before, ..)| !before.is_empty());
-    match first.to_lowercase().as_str() {
-        "" => Err(texts.expected.to_owned()),
-        "kind" => kind_of(rest, texts),
-        "object" if begins_name || rest.is_empty() => {
-            let unknown = Unknown { none: texts.no_objects, like: texts.object_like, others: texts.other_objects };
-            named(&log.header.objects, rest, &unknown).map(Condition::Object)
+    let pieces = pieces(text);
+    let mut alternatives = Vec::new();
+    let mut all = Vec::new();
+    let mut at = 0;
+    while at < pieces.len() {
+        if at > 0 && pieces[at].joint == Joint::Or {
+            alternatives.push(joined(std::mem::take(&mut all), Condition::All));
         }
-        "light" if begins_name => {
-            let unknown = Unknown { none: texts.no_lights, like: texts.light_like, others: texts.other_lights };
-            named(&log.header.lights, rest, &unknown).map(Condition::Light)
-        }
-        "depth"
-            if operator(rest).is_none_or(|(before, operator, _)| before.is_empty() && operator == Operator::Equal) =>
-        {
-            depth(rest, texts)
-        }
-        _ => quantity(text, log, texts).map(Condition::Quantity),
-    }
-}
-
-/// The words that a breakpoint may begin with: for completion.
-pub fn words(log: &Log) -> Vec<String> {
-    let mut words: Vec<String> = ["kind ", "depth "].map(str::to_owned).to_vec();
-    words.extend(kind::WORDS.iter().map(|word| (*word).to_owned()));
-    words.extend(kind::WORDS.iter().map(|word| format!("kind {word}")));
-    words.extend(log.header.objects.iter().map(|name| format!("object {name}")));
-    words.extend(log.header.lights.iter().map(|name| format!("light {name}")));
-    words.extend(Name::all().map(|name| name.key().to_owned()));
-    words
-}
-
-fn kind_of(word: &str, texts: &Breakpoints) -> Result<Condition, String> {
-    kind::find(word).map(Condition::Kind).ok_or_else(|| match suggest(word, kind::WORDS.iter().copied()) {
-        Some(near) => (texts.kind_like)(&plain(word), near),
-        None => texts.expected_kind.to_owned(),
-    })
-}
-
-/// What to say where a log has no object, or no light, of a name.
-struct Unknown {
-    none: &'static str,
-    like: fn(&str, &str) -> String,
-    others: fn(&str, &str, usize) -> String,
-}
-
-/// The numbers of the objects or lights with a name.
-fn named(names: &[String], name: &str, unknown: &Unknown) -> Result<Vec<u32>, String> {
-    let name = name.trim_matches('"');
-    let numbers = |is: &dyn Fn(&str) -> bool| -> Vec<u32> {
-        (0..).zip(names).filter(|(_, known)| is(known)).map(|(number, _)| number).collect()
-    };
-    let exact = numbers(&|known| known == name);
-    let found = if exact.is_empty() { numbers(&|known| known.eq_ignore_ascii_case(name)) } else { exact };
-    if !found.is_empty() {
-        return Ok(found);
-    }
-    let all = names.iter().map(String::as_str);
-    Err(match suggest(name, all.clone()) {
-        Some(near) => (unknown.like)(&plain(name), &plain(near)),
-        None if names.is_empty() => unknown.none.to_owned(),
-        None => {
-            const SOME: usize = 5;
-            let some: Vec<_> = all.take(SOME).map(plain).collect();
-            (unknown.others)(&plain(name), &some.join(", "), names.len().saturating_sub(SOME))
-        }
-    })
-}
-
-fn depth(text: &str, texts: &Breakpoints) -> Result<Condition, String> {
-    let number = text.trim_start_matches('=').trim();
-    let depth = number.parse().map_err(|_| texts.expected_depth.to_owned())?;
-    Ok(Condition::Depth(depth))
-}
-
-fn quantity(text: &str, log: &Log, texts: &Breakpoints) -> Result<Quantity, String> {
-    let (operand, test) = match operator(text) {
-        None => (text, None),
-        Some((before, operator, after)) => (before, Some((operator, number(after, texts)?))),
-    };
-    let (names, part) = operand_of(operand, texts)?;
-    let value = log.events.iter().find_map(|event| match &event.what {
-        What::Note { name, value } if names.contains(name) => Some(value),
-        _ => None,
-    });
-    if let Some(value) = value.filter(|value| test.is_some() && part.of(value).is_none()) {
-        return Err(match value {
-            Value::Number(_) => (texts.no_components)(names[0].symbol()),
-            Value::Triple(_) => (texts.three_numbers)(names[0].key()),
+        // A name may have such a word in it: the longest that is one counts.
+        let longest = (at + 1..pieces.len()).rev().find_map(|last| {
+            let whole = &text[pieces[at].begin..pieces[last].end];
+            let named = term::named_by(whole).then(|| term::parse(whole, log, texts).ok())??;
+            Some((named, last))
         });
+        let (condition, last) = match longest {
+            Some(found) => found,
+            None => (one(pieces[at].text, log, texts, room, pieces.len() > 1)?, at),
+        };
+        all.push(condition);
+        at = last + 1;
     }
-    Ok(Quantity { names, part, test })
+    alternatives.push(joined(all, Condition::All));
+    Ok(joined(alternatives, Condition::Any))
 }
 
-/// The text before the first operator, that, and the text after it.
-fn operator(text: &str) -> Option<(&str, Operator, &str)> {
-    text.char_indices().find_map(|(at, _)| {
-        let (sign, operator) = OPERATORS.iter().find(|(sign, _)| text[at..].starts_with(sign))?;
-        Some((text[..at].trim(), *operator, text[at + sign.len()..].trim()))
-    })
+/// A term, or what is in parentheses.
+fn one(text: &str, log: &Log, texts: &Breakpoints, room: usize, is_joined: bool) -> Result<Condition, String> {
+    match text.strip_prefix('(').map(|rest| (rest, rest.strip_suffix(')'))) {
+        Some(_) if room == 0 => Err(texts.too_nested.to_owned()),
+        Some((_, Some(inside))) => nested(inside, log, texts, room - 1),
+        Some((rest, None)) => Err((texts.not_closed)(&plain(rest))),
+        None if text.is_empty() && is_joined => Err(texts.nothing_joined.to_owned()),
+        None => term::parse(text, log, texts),
+    }
 }
 
-/// A number, with a decimal point or a decimal comma.
-fn number(text: &str, texts: &Breakpoints) -> Result<f64, String> {
-    let number = text.replace('−', "-").replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());
-    number.ok_or_else(|| (texts.expected_number)(&plain(text)))
+/// Several conditions as one; one is itself.
+fn joined(mut conditions: Vec<Condition>, several: fn(Vec<Condition>) -> Condition) -> Condition {
+    match conditions.len() {
+        1 => conditions.remove(0),
+        _ => several(conditions),
+    }
 }
 
-/// The quantities that a text names, and which number of them.
-fn operand_of(text: &str, texts: &Breakpoints) -> Result<(Vec<Name>, Part), String> {
-    let whole = called(text);
-    if !whole.is_empty() {
-        return Ok((whole, Part::Whole));
-    }
-    if let Some(inner) = text.strip_prefix('|').and_then(|text| text.strip_suffix('|')) {
-        return operand_of(inner.trim(), texts).map(|(names, _)| (names, Part::Length));
-    }
-    if let Some((before, letter)) = text.rsplit_once('.')
-        && let Some(component) = ["xr", "yg", "zb"].iter().position(|both| letter.len() == 1 && both.contains(letter))
-    {
-        let names = called(before);
-        if !names.is_empty() {
-            return Ok((names, Part::Component(component)));
+/// The terms between `and` and `or`, but for those in quotes and parentheses.
+fn pieces(text: &str) -> Vec<Piece<'_>> {
+    let mut pieces = Vec::new();
+    let (mut depth, mut is_quoted) = (0_usize, false);
+    let (mut begin, mut joint) = (0, Joint::And);
+    let mut is_after_gap = true;
+    for (at, character) in text.char_indices() {
+        match character {
+            '"' => is_quoted = !is_quoted,
+            '(' if !is_quoted => depth += 1,
+            ')' if !is_quoted => depth = depth.saturating_sub(1),
+            _ if is_quoted || depth > 0 || !is_after_gap || at < begin => {}
+            _ => {
+                if let Some((next, length)) = joint_at(&text[at..]) {
+                    pieces.push(piece(text, joint, begin, at));
+                    (joint, begin) = (next, at + length);
+                }
+            }
         }
+        is_after_gap = character.is_whitespace() || character == ')' || character == '"';
     }
-    let known = Name::all().flat_map(|name| [name.key(), name.symbol()]).chain(kind::WORDS.iter().copied());
-    // A kind of event has no value to compare.
-    let known = known.filter(|word| *word != text);
-    Err(match suggest(text, known) {
-        Some(near) => (texts.name_like)(&plain(text), near),
-        None => (texts.no_name)(&plain(text)),
+    pieces.push(piece(text, joint, begin, text.len()));
+    pieces
+}
+
+fn piece(text: &str, joint: Joint, begin: usize, end: usize) -> Piece<'_> {
+    Piece { joint, begin, end, text: text[begin..end].trim() }
+}
+
+/// The joint that a text begins with, and how long it is; behind it something else begins.
+fn joint_at(text: &str) -> Option<(Joint, usize)> {
+    let joints = [("and", Joint::And), ("or", Joint::Or)];
+    joints.into_iter().find_map(|(word, joint)| {
+        let (begin, rest) = text.split_at_checked(word.len())?;
+        let is_word = rest.chars().next().is_none_or(|next| next.is_whitespace() || next == '(' || next == '"');
+        (begin.eq_ignore_ascii_case(word) && is_word).then_some((joint, word.len()))
     })
 }
 
-/// The quantities with this key or symbol; symbols also as they are written in ASCII.
-fn called(text: &str) -> Vec<Name> {
-    let bare: String = text.chars().filter(|c| *c != ' ').collect();
-    let is_called = |name: &Name| name.key() == bare || name.symbol() == bare || ascii(name.symbol()) == bare;
-    Name::all().filter(is_called).collect()
+/// How a typed condition may go on: its last term by a word, behind a quantity a test that is no comparison.
+pub fn completions(log: &Log, text: &str) -> Vec<String> {
+    let last = pieces(text).pop().map_or(0, |piece| piece.begin);
+    let begins_at = text[last..].find(|c: char| !c.is_whitespace() && c != '(').map_or(text.len(), |at| last + at);
+    let (before, term) = text.split_at(begins_at);
+    let tests = term.split_once(char::is_whitespace).filter(|(key, _)| Name::with_key(key).is_some());
+    let tests = tests.into_iter().flat_map(|(key, _)| term::tests(key));
+    let words = term::words(log).into_iter().chain(tests);
+    words.filter(|word| word.starts_with(term)).map(|word| format!("{before}{word}")).collect()
 }

@@ -1,11 +1,12 @@
 //! How breakpoints are read, and where they stop.
 
-use super::condition::{Operator, Part, Quantity};
+use super::condition::{Operator, Quantity, Test};
 use super::*;
-use crate::log::{Event, Log, Name, Value, What};
+use crate::log::{Event, Events, Log, Name, Tree, Value, What};
 use crate::report::Style;
 use crate::report::language::Language;
 use crate::report::language::viewer::Breakpoints;
+use crate::tui::model::quantity::Part;
 use crate::tui::testing::{glass, textbook};
 
 fn texts() -> &'static Breakpoints {
@@ -25,6 +26,7 @@ fn reads(text: &str, expected: Condition) {
 /// A condition on the quantity with this key.
 fn of(key: &str, part: Part, test: Option<(Operator, f64)>) -> Condition {
     let names = Name::all().filter(|name| name.key() == key).collect();
+    let test = test.map(|(operator, number)| Test::Compared(operator, number));
     Condition::Quantity(Quantity { names, part, test })
 }
 
@@ -45,8 +47,10 @@ fn objects_lights_and_depths() {
     reads("object \"Wall\"", Condition::Object(vec![1]));
     reads("light lamp", Condition::Light(vec![0]));
     reads("light behind the wall", Condition::Light(vec![1]));
-    reads("depth 2", Condition::Depth(2));
-    reads("depth = 0", Condition::Depth(0));
+    reads("depth 2", Condition::Depth(Operator::Equal, 2));
+    reads("depth = 0", Condition::Depth(Operator::Equal, 0));
+    reads("depth>=2", Condition::Depth(Operator::AtLeast, 2));
+    reads("depth ≠ 3", Condition::Depth(Operator::Unequal, 3));
 }
 
 #[test]
@@ -99,8 +103,9 @@ fn mistakes_are_distinguished_from_each_other() {
 
 /// How many events of a log a condition stops at.
 fn stops(log: &Log, text: &str) -> usize {
-    let condition = condition(text);
-    log.events.iter().filter(|event| condition.holds(event, Style::default())).count()
+    let mut breakpoint = Breakpoint::new(condition(text), text);
+    breakpoint.find(Run { log, tree: &Tree::of(&log.events) }, Style::default());
+    breakpoint.places.count()
 }
 
 #[test]
@@ -124,10 +129,16 @@ fn conditions_hold_where_they_say() {
 #[test]
 fn near_is_as_near_as_one_can_see() {
     let holds = |number: f64, digits: u32| {
-        let near = Quantity { names: vec![Name::SphereT2a], part: Part::Whole, test: Some((Operator::Near, 2.0)) };
+        let near = Quantity {
+            names: vec![Name::SphereT2a],
+            part: Part::Whole,
+            test: Some(Test::Compared(Operator::Near, 2.0)),
+        };
         let mut event = textbook().events.remove(0);
         event.what = What::Note { name: Name::SphereT2a, value: Value::Number(number) };
-        Condition::Quantity(near).holds(&event, Style::default().with(digits))
+        let log = Log { events: Events::from(event), ..textbook() };
+        let run = Run { log: &log, tree: &Tree::of(&log.events) };
+        Condition::Quantity(near).stops_at(run, 0, Style::default().with(digits))
     };
     assert!(holds(2.000_4, 3) && holds(1.999_6, 3) && !holds(2.000_6, 3));
     assert!(holds(2.04, 1) && !holds(2.06, 1));
