@@ -79,7 +79,7 @@ fn without_letter(key: &str) -> &str {
     key.strip_suffix(ANY_LETTER).unwrap_or(key)
 }
 
-/// The key, or the two characters, that a text spells as in a [`script`](super::script).
+/// The key, or the two characters, that a text spells as in a script of keys.
 pub fn chord(text: &str) -> Option<Chord> {
     let names: Vec<_> = sequence(text).into_iter().map(name).collect::<Option<_>>()?;
     match &names[..] {
