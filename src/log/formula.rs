@@ -180,6 +180,9 @@ pub fn parse(text: &str) -> Result<Formula, String> {
     Parser::new(text, &dialect).whole().map_err(|wrong| wrong.in_words(text))
 }
 
+/// Gives the leaf that a text begins with, which is at this place of the whole in bytes, and its length in bytes.
+pub type NameReader<'a, Leaf> = dyn Fn(&str, usize) -> Option<(Leaf, usize)> + 'a;
+
 /// Reads a formula that somebody typed. `name` gives the leaf that a text begins with, at this place of the whole in bytes, and its length; `number` that of
 /// a number. A comma between digits parts operands, unless that makes no sense and a decimal comma does.
 ///
@@ -187,7 +190,7 @@ pub fn parse(text: &str) -> Result<Formula, String> {
 /// What was expected, and where.
 pub fn parse_typed<Leaf: Clone>(
     text: &str,
-    name: &dyn Fn(&str, usize) -> Option<(Leaf, usize)>,
+    name: &NameReader<'_, Leaf>,
     number: &dyn Fn(f64, usize) -> Leaf,
 ) -> Result<Formula<Leaf>, Wrong> {
     let number = |x, at| Formula::Leaf(number(x, at));

@@ -287,7 +287,9 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
     let mut characters = text.chars();
     match (characters.next()?, characters.next(), characters.next()) {
         (character, None, _) => return plain(KeyCode::Char(character)),
-        ('^', Some(letter), None) => return Some(KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL)),
+        ('^', Some(letter), None) if letter.is_ascii_alphabetic() => {
+            return Some(KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL));
+        }
         _ => {}
     }
     // As other programs write it: `C-d`, `c-d`, `Ctrl-d`.

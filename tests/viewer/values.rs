@@ -66,7 +66,7 @@ fn frames_at_three_sizes_in_both_languages() {
                 shot("watched", &format!("{WATCHED} Tab"));
                 shot("watch_list", &format!("{WATCHED} :watch Enter"));
                 shot("history", &format!("{WATCHED} :history T2_A Enter"));
-                shot("eval", &format!("{WATCHED} :eval dot(N, L)^2 + 1 Enter"));
+                shot("eval", &format!("{WATCHED} :eval dot(N, L) + 1 Enter"));
                 shot("gutter", "bT2_A<0 or depth 1 and hit Enter r Esc");
             }
         }
@@ -99,8 +99,8 @@ mod in_a_terminal {
     fn what_is_watched_stays_while_the_scene_changes() {
         let mut session = Session::start(&["walk", "textbook"], 120, 40);
         session.shows("step 1/");
-        session.press(":watch shade.n_dot\t");
-        session.shows("shade.n_dot_h  shade.n_dot_l");
+        session.press(":watch shade.n_dot\t\t");
+        session.shows("watch shade.n_dot_h  watch shade.n_dot_l");
         session.press("l\r");
         session.shows("watching shade.n_dot_l: ");
         session.shows("N·L: no value here");

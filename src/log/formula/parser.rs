@@ -2,7 +2,7 @@
 
 use super::typed::{self, Call};
 use super::wrong::{Expected, Wrong};
-use super::{Extreme, Formula, Function, Operator, QUANTILE, Several, Unary};
+use super::{Extreme, Formula, Function, NameReader, Operator, QUANTILE, Several, Unary};
 use crate::log::name::Name;
 use std::sync::LazyLock;
 
@@ -27,7 +27,7 @@ const BRACKETS: [(&str, &str, Unary); 2] = [("|", "|", Unary::Length), ("⌊", "
 /// How the leaves of a text are read, and what else is in it.
 pub(super) struct Dialect<'d, Leaf> {
     /// What a name at the beginning of a text stands for, and its length in bytes.
-    pub name: &'d dyn Fn(&str, usize) -> Option<(Leaf, usize)>,
+    pub name: &'d NameReader<'d, Leaf>,
     /// A number at this place of the text.
     pub number: &'d dyn Fn(f64, usize) -> Formula<Leaf>,
     /// Whether people type it: with signs in ASCII and more functions, but without sums over something.

@@ -101,7 +101,7 @@ fn first_key(word: &str) -> Option<(KeyEvent, &str)> {
     let first = word.chars().next()?;
     let whole = || parse(word).map(|key| (key, ""));
     let control = || {
-        let pair = word.get(..2).filter(|pair| first == '^' && pair != &"^^")?;
+        let pair = word.get(..2).filter(|pair| first == '^' && pair.ends_with(|c: char| c.is_ascii_alphabetic()))?;
         Some((parse(pair)?, &word[2..]))
     };
     let itself = || Some((parse(&word[..first.len_utf8()])?, &word[first.len_utf8()..]));
