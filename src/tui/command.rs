@@ -170,6 +170,9 @@ const HISTORY: &str = "history";
 const WATCH: &str = "watch";
 const UNWATCH: &str = "unwatch";
 
+/// Letters that many type from habit, and that several commands begin with.
+const SHORT: [(&str, &str); 4] = [("e", "edit"), ("h", "help"), ("u", "undo"), ("w", "write")];
+
 /// The command for parameters of the scene.
 const SET: &str = "set";
 
@@ -229,6 +232,7 @@ fn number(text: &str) -> Option<f64> {
 
 /// The command that a word or the beginning of one stands for.
 fn find(word: &str, texts: &Commands) -> Result<&'static Command, String> {
+    let word = SHORT.iter().find(|(short, _)| *short == word).map_or(word, |(_, name)| *name);
     let begun: Vec<_> = COMMANDS.iter().filter(|command| command.name.starts_with(word)).collect();
     if let Some(exact) = begun.iter().find(|command| command.name == word) {
         return Ok(exact);

@@ -1,5 +1,7 @@
 //! Layers that are asked for by name: a value is that of the pixel's log, and lights and classes of paths add up to the picture.
 
+#![allow(clippy::unwrap_used)]
+
 use crate::random::Random;
 use crate::{random_scenes, support};
 use proptest::prelude::*;

@@ -152,7 +152,7 @@ impl Layered {
             _ => &["R", "G", "B"],
         };
         let channel = |(name, at): (&&'static str, usize)| Channel {
-            name: *name,
+            name,
             values: self.numbers_of(at).map(|number| number as f32).collect(),
         };
         ExrLayer { name: plane.file_name(), channels: names.iter().zip(at..).map(channel).collect() }
