@@ -120,7 +120,7 @@ fn the_walk_as_text_is_the_log_as_text() {
 }
 
 /// Keys that lead to every pane, list, line and message; each is tried at several sizes.
-const EVERYWHERE: [&str; 80] = [
+const EVERYWHERE: [&str; 75] = [
     "",
     "28n",
     "j",
@@ -137,11 +137,6 @@ const EVERYWHERE: [&str; 80] = [
     "Shift-Tab v v",
     "Shift-Tab v v v",
     "Shift-Tab v v v v",
-    "Shift-Tab A",
-    "Tab Tab Tab j Z",
-    "Tab Tab Tab j Z Z",
-    "Tab Tab Tab Z Z v",
-    "Tab Tab Tab j X v v",
     "Shift-Tab ) l",
     "Shift-Tab g",
     "Shift-Tab 999k",
@@ -204,7 +199,7 @@ const EVERYWHERE: [&str; 80] = [
 ];
 
 /// Lines that are typed, right and wrong.
-const LINES: [&str; 43] = [
+const LINES: [&str; 41] = [
     "/",
     "/zzz Enter",
     "/sphere Enter 9;",
@@ -220,8 +215,6 @@ const LINES: [&str; 43] = [
     ":hlep Enter",
     ":help x Enter",
     ":999 Enter",
-    ":schematic Space zzz Enter",
-    ":rays Enter",
     ":bookmark ab Enter",
     ":pixel 0,5 Enter",
     ":pixel 1,5 Enter",
@@ -372,10 +365,8 @@ impl Foreign {
     }
 }
 
-/// The names of keys, and words of breakpoints and commands that are proposed.
-const TYPED: [&str; 13] = [
-    "down", "left", "right", "home", "space", "enter", "camera", "kind", "branch", "pixel", "vectors", "front", "side",
-];
+/// The names of keys, and words of breakpoints that are proposed.
+const TYPED: [&str; 8] = ["down", "left", "right", "home", "space", "enter", "camera", "kind"];
 
 /// A format string without the names of what is put into it.
 fn without_names(text: &str) -> String {

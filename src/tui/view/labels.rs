@@ -11,8 +11,14 @@ pub(super) struct Labels {
     has_ray: Vec<bool>,
 }
 
-/// How far a text is from its place at most, in columns and rows.
-const FARTHEST: [i32; 2] = [12, 4];
+/// How far from its place a text may be, in columns and rows.
+pub(super) type Reach = [i32; 2];
+
+/// A letter whose colour says what it belongs to.
+pub(super) const FAR: Reach = [12, 4];
+
+/// A name, which belongs to what is beside it.
+pub(super) const CLOSE: Reach = [4, 2];
 
 impl Labels {
     pub(super) fn new(area: Rect) -> Labels {
@@ -53,7 +59,7 @@ impl Labels {
     }
 
     /// The area of a text as near to a place as there is room beside texts and rays, rather toward a direction.
-    pub(super) fn near(&mut self, [x, y]: [f64; 2], toward: [f64; 2], width: usize) -> Option<Rect> {
+    pub(super) fn near(&mut self, [x, y]: [f64; 2], toward: [f64; 2], width: usize, reach: Reach) -> Option<Rect> {
         if !(x.is_finite() && y.is_finite()) || width > usize::from(self.area.width) {
             return None;
         }
@@ -61,8 +67,8 @@ impl Labels {
         let [right, down] = if length > 0.0 { [toward[0] / length, 2.0 * toward[1] / length] } else { [0.0, 0.0] };
         let wide = width as i32;
         let [first, row] = [x, y].map(|place| place.floor().clamp(-1e6, 1e6) as i32);
-        let columns = first - FARTHEST[0] - wide + 1..=first + FARTHEST[0];
-        let rows = row - FARTHEST[1]..=row + FARTHEST[1];
+        let columns = first - reach[0] - wide + 1..=first + reach[0];
+        let rows = row - reach[1]..=row + reach[1];
         let cells = rows.flat_map(|row| columns.clone().map(move |column| [column, row]));
         let places = cells.filter(|cell| self.is_free(*cell, wide, true)).map(|[column, row]| {
             // The nearest of its own cells counts, and a row is as far as two columns.
@@ -86,8 +92,7 @@ impl Labels {
     fn is_free(&self, [column, row]: [i32; 2], width: i32, avoids_rays: bool) -> bool {
         let is_empty = |column: i32| self.index([column, row]).is_none_or(|index| !self.has_text[index]);
         let fits = |column: i32| {
-            self.index([column, row])
-                .is_some_and(|index| !self.has_text[index] && !(avoids_rays && self.has_ray[index]))
+            self.index([column, row]).is_some_and(|index| !(self.has_text[index] || avoids_rays && self.has_ray[index]))
         };
         let touches = width > 1 && !(is_empty(column - 1) && is_empty(column + width));
         width > 0 && !touches && (column..column + width).all(fits)
@@ -110,7 +115,7 @@ mod tests {
 
     #[test]
     fn a_text_moves_to_the_side_that_is_asked_for() {
-        let place = |toward| Labels::new(Rect::new(5, 7, 20, 9)).near([10.5, 4.5], toward, 1);
+        let place = |toward| Labels::new(Rect::new(5, 7, 20, 9)).near([10.5, 4.5], toward, 1, FAR);
         assert_eq!(place([1.0, 0.0]), Some(Rect::new(16, 11, 1, 1)));
         assert_eq!(place([-1.0, 0.0]), Some(Rect::new(14, 11, 1, 1)));
         assert_eq!(place([0.0, 0.0]), Some(Rect::new(15, 11, 1, 1)));
@@ -120,9 +125,9 @@ mod tests {
     fn texts_keep_away_from_rays_and_need_room() {
         let mut labels = Labels::new(Rect::new(0, 0, 6, 2));
         labels.avoid_line([[0.0, 0.5], [6.0, 0.5]]);
-        assert_eq!(labels.near([2.5, 0.5], [0.0, 0.0], 2).map(|area| area.y), Some(1));
-        assert_eq!(labels.near([2.5, 0.5], [0.0, 0.0], 5), None);
-        assert_eq!(labels.near([f64::NAN, 0.5], [0.0, 0.0], 1), None);
+        assert_eq!(labels.near([2.5, 0.5], [0.0, 0.0], 2, CLOSE).map(|area| area.y), Some(1));
+        assert_eq!(labels.near([2.5, 0.5], [0.0, 0.0], 5, FAR), None);
+        assert_eq!(labels.near([f64::NAN, 0.5], [0.0, 0.0], 1, FAR), None);
         // The letter of a ray lies on it.
         assert_eq!(labels.at([3.7, 0.2], 1), Some(Rect::new(3, 0, 1, 1)));
         assert_eq!(labels.at([3.2, 0.9], 1), None);
@@ -141,7 +146,7 @@ mod tests {
             lines.iter().for_each(|[x, y, u, v]| labels.avoid_line([[*x, *y], [*u, *v]]));
             let mut placed: Vec<Rect> = Vec::new();
             for (x, y, width, toward, may_move) in texts {
-                let found = if may_move { labels.near([x, y], [toward, 0.3], width) } else { labels.at([x, y], width) };
+                let found = if may_move { labels.near([x, y], [toward, 0.3], width, FAR) } else { labels.at([x, y], width) };
                 if let Some(found) = found {
                     prop_assert_eq!(area.intersection(found), found);
                     prop_assert!(placed.iter().all(|other| other.intersection(found).is_empty()));

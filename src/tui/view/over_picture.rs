@@ -1,6 +1,6 @@
 //! The rays of the pixel over the picture, where the camera sees them. The picture's colour stays behind: only the characters change.
 
-use super::labels::Labels;
+use super::labels::{FAR as FAR_OFF, Labels};
 use super::only_ascii;
 use crate::report::schematic::clip;
 use crate::report::segments::Segment;
@@ -107,7 +107,8 @@ impl Over {
             let left_and_top = [self.seen.x - self.dots.x, self.seen.y - self.dots.y].map(f64::from);
             let last = [self.seen.width, self.seen.height].map(|size| (f64::from(size) - 1.0).max(0.0));
             let inside = [0, 1].map(|axis| (to[axis] - left_and_top[axis]).clamp(0.0, last[axis]));
-            let place = labels.at(inside, 1).or_else(|| labels.near(inside, [to[0] - from[0], to[1] - from[1]], 1));
+            let place =
+                labels.at(inside, 1).or_else(|| labels.near(inside, [to[0] - from[0], to[1] - from[1]], 1, FAR_OFF));
             if let Some(cell) = place.and_then(|place| sheet.cell_mut(place.as_position())) {
                 cell.set_symbol(&text).set_fg(numbered(number));
                 cell.modifier = Modifier::BOLD;

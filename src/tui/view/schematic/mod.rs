@@ -6,7 +6,7 @@
 mod stage;
 mod vectors;
 
-use super::labels::Labels;
+use super::labels::{CLOSE, Labels, Reach};
 use super::{only_ascii, put, shown, title};
 use crate::files::escape::shortened;
 use crate::report::segments::{Segment, nearest};
@@ -99,9 +99,9 @@ impl Paper<'_> {
     }
 
     /// Writes a name near a cell, if there is room; says whether there was.
-    fn write_near(&mut self, cell: [f64; 2], toward: [f64; 2], text: &str, style: Style) -> bool {
+    fn write_near(&mut self, cell: [f64; 2], toward: [f64; 2], text: &str, style: Style, reach: Reach) -> bool {
         let text = shown(text, self.theme);
-        let place = self.labels.near(cell, toward, width_of(&text));
+        let place = self.labels.near(cell, toward, width_of(&text), reach);
         self.write(place, text, style);
         place.is_some()
     }
@@ -142,7 +142,7 @@ fn label(model: &Model, stage: &Stage, drawn: &Drawn, paper: &mut Paper) {
     let Some(drawing) = &model.drawing else { return name_hits(model, stage, drawn, paper) };
     for light in &drawing.lights {
         if let Some(cell) = middle(light) {
-            paper.write_near(cell, [1.0, 0.0], &name_of(&light.name), theme.style(Role::Light));
+            paper.write_near(cell, [1.0, 0.0], &name_of(&light.name), theme.style(Role::Light), CLOSE);
         }
     }
     // What the rays hit is named first.
@@ -150,6 +150,10 @@ fn label(model: &Model, stage: &Stage, drawn: &Drawn, paper: &mut Paper) {
     let others = (0..drawing.objects.len()).filter(|object| !hit.contains(object));
     let mut named = HashSet::new();
     for object in hit.iter().copied().chain(others).filter(|object| named.insert(*object)).take(MOST_NAMES) {
+        if !hit.contains(&object) {
+            // The others' names hide no outline.
+            paper.labels.avoid_drawn(paper.buffer);
+        }
         if let Some(object) = drawing.objects.get(object) {
             name_outline(object, stage, paper);
         }
@@ -161,16 +165,17 @@ fn name_outline(object: &Wireframe, stage: &Stage, paper: &mut Paper) {
     let lines = object.lines.iter().flat_map(|line| line.windows(2));
     let seen: Vec<[f64; 2]> =
         lines.filter_map(|ends| stage.on_screen(ends[0], ends[1])).flatten().map(|place| stage.cell(place)).collect();
-    let most = |of: fn([f64; 2]) -> f64| seen.iter().copied().max_by(|a, b| of(*a).total_cmp(&of(*b)));
-    let sides: [(fn([f64; 2]) -> f64, [f64; 2]); 4] = [
-        (|[_, row]| -row, [0.0, -1.0]),
-        (|[column, _]| column, [1.0, 0.0]),
-        (|[column, _]| -column, [-1.0, 0.0]),
-        (|[_, row]| row, [0.0, 1.0]),
-    ];
+    // At the end of it in each of these directions.
+    let most = |[x, y]: [f64; 2]| {
+        let along = |place: &[f64; 2]| place[0] * x + place[1] * y;
+        seen.iter().copied().max_by(|a, b| along(a).total_cmp(&along(b)))
+    };
     let (name, style) = (name_of(&object.name), paper.theme.style(Role::Faint));
-    let is_written = |(of, toward)| most(of).is_some_and(|cell| paper.write_near(cell, toward, &name, style));
-    sides.into_iter().any(is_written);
+    for toward in [[0.0, -1.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0]] {
+        if most(toward).is_some_and(|cell| paper.write_near(cell, toward, &name, style, CLOSE)) {
+            break;
+        }
+    }
 }
 
 /// Without a scene nobody knows outlines: names are where the rays hit.
@@ -180,7 +185,7 @@ fn name_hits(model: &Model, stage: &Stage, drawn: &Drawn, paper: &mut Paper) {
         let place = stage.project(ray.end(0.0)).and_then(|place| stage.cell_seen(place));
         if let Some(cell) = place.filter(|_| named.insert(object)) {
             let style = paper.theme.style(Role::Faint);
-            paper.write_near(cell, [0.0, 1.0], &name_of(model.log.header.object(object)), style);
+            paper.write_near(cell, [0.0, 1.0], &name_of(model.log.header.object(object)), style, CLOSE);
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::tui::model::layout::Layout;
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{counted, shown, width_of};
 use crate::tui::theme::{Role, Theme};
-use crate::tui::view::labels::Labels;
+use crate::tui::view::labels::{FAR, Labels};
 use crate::tui::view::{only_ascii, put, title};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -168,21 +168,23 @@ impl Sheet {
         };
         for arrow in &plane.arrows {
             let style = style(theme, arrow.ink).add_modifier(Modifier::BOLD);
-            paper.write_near(self.cell(beyond(arrow.tip, 3.0)), outward(arrow.tip), &arrow.symbol, style);
+            paper.write_near(self.cell(beyond(arrow.tip, 3.0)), outward(arrow.tip), &arrow.symbol, style, FAR);
         }
         for way in &plane.ways {
             let end = way.tip.map(|part| WAY * part);
-            paper.write_near(self.cell(beyond(end, 3.0)), outward(way.tip), &way.symbol, style(theme, way.ink));
+            paper.write_near(self.cell(beyond(end, 3.0)), outward(way.tip), &way.symbol, style(theme, way.ink), FAR);
         }
         let has_ray_below = plane.arrows.iter().any(|arrow| arrow.tip[1] < -0.3);
         let below = if has_ray_below { [-1.0, 0.6] } else { [0.0, 1.0] };
-        paper.write_near(self.cell([0.0, -0.08]), below, &plane.point, Style::new().add_modifier(Modifier::BOLD));
+        paper.write_near(self.cell([0.0, -0.08]), below, &plane.point, Style::new().add_modifier(Modifier::BOLD), FAR);
         if let Some(object) = plane.object {
             let (outline, name) = (surface(plane.bend), name_of(model.log.header.object(object)));
-            let ends = [outline.last(), outline.first()].into_iter().flatten();
-            let style = theme.style(Role::Faint);
-            let mut written = ends.map(|end| paper.write_near(self.cell(*end), [-end[0].signum(), 1.0], &name, style));
-            written.any(|is_written| is_written);
+            for end in [outline.last(), outline.first()].into_iter().flatten() {
+                let outward = [-end[0].signum(), 1.0];
+                if paper.write_near(self.cell(*end), outward, &name, theme.style(Role::Faint), FAR) {
+                    break;
+                }
+            }
         }
     }
 }
