@@ -1,10 +1,13 @@
 //! The command line: what is typed behind `:`.
 
+mod completions;
+
+pub(super) use completions::{completions, file_in, is_of_parameter};
+
 use super::effect::{Change, Effect, Exit};
 use super::keys::Walk;
+use super::model::Model;
 use super::model::list::Kind;
-use super::model::prompt::Purpose;
-use super::model::{Model, breakpoint};
 use super::{bookmarks, breakpoints, drawn, edit, eval, jumps, plane, search, understanding, walk, watch};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
@@ -364,41 +367,5 @@ fn pixel(model: &mut Model, text: &str) -> Done {
             jumps::remember(model);
             Ok(Effect::Trace([x, y]))
         }
-    }
-}
-
-/// Whether a line is about a parameter, whose paths only the scene knows.
-pub(super) fn is_of_parameter(line: &str) -> bool {
-    line.strip_prefix(SET).is_some_and(|rest| rest.starts_with(' '))
-}
-
-/// What of the path of a file is typed, in a line with a command that takes one.
-pub(super) fn file_in(line: &str) -> Option<&str> {
-    let (word, rest) = line.split_once(' ')?;
-    let mut begun = COMMANDS.iter().filter(|command| command.name.starts_with(word));
-    let command = begun.next().filter(|command| command.name == word || begun.next().is_none())?;
-    (command.argument == Argument::File).then(|| rest.trim_start())
-}
-
-/// How the typed text may go on, if something can go on there.
-pub(super) fn completions(model: &Model, purpose: Purpose, text: &str) -> Vec<String> {
-    let (word, rest) = text.split_once(' ').map_or((text, None), |(word, rest)| (word, Some(rest)));
-    let behind = |ways: Vec<String>| ways.into_iter().map(|way| format!("{word} {way}")).collect();
-    match (purpose, word, rest) {
-        (Purpose::Break, ..) => breakpoint::completions(&model.log, text),
-        (Purpose::Command, BREAK, Some(condition)) => behind(breakpoint::completions(&model.log, condition)),
-        (Purpose::Command, EVAL, Some(expression)) => behind(eval::completions(model, expression)),
-        (Purpose::Command, WATCH | HISTORY, Some(key)) => behind(watch::completions(model, key)),
-        (Purpose::Command, UNWATCH, Some(key)) => behind(watch::pinned_completions(model, key)),
-        (Purpose::Command, SCHEMATIC, Some(begun)) => {
-            behind(drawn::words().into_iter().filter(|word| word.starts_with(begun)).map(str::to_owned).collect())
-        }
-        (Purpose::Command, plane::PICTURE, Some(_)) => plane::completions(model, text),
-        (Purpose::Command, _, None) => {
-            let begun = COMMANDS.iter().filter(|command| command.name.starts_with(text));
-            let gap = |command: &Command| if command.argument == Argument::Nothing { "" } else { " " };
-            begun.map(|command| format!("{}{}", command.name, gap(command))).collect()
-        }
-        _ => Vec::new(),
     }
 }

@@ -1,8 +1,11 @@
 //! The viewer in Spanish: its frames, and that none of them says anything in English.
 
+mod keys;
+
 use crate::source::{SourceFile, files_below};
 use crate::support::{scene, snapshots};
 use assert_cmd::Command;
+use keys::{EVERYWHERE, LINES};
 use raywalk::log::{Log, Subject};
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::report::language::Language;
@@ -118,130 +121,6 @@ fn the_walk_as_text_is_the_log_as_text() {
     assert_eq!(walk, said(&["trace", "textbook", "--pixel", "160,120", "--format", "text", "--lang", "es"]));
     assert!(walk.contains("rayo de sombra hacia F"), "{walk}");
 }
-
-/// Keys that lead to every pane, list, line and message; each is tried at several sizes.
-const EVERYWHERE: [&str; 75] = [
-    "",
-    "28n",
-    "j",
-    "3j",
-    "G",
-    "g",
-    "h",
-    "Tab",
-    "Tab Tab",
-    "Tab Tab v",
-    "Tab Tab v v",
-    "Shift-Tab",
-    "Shift-Tab v",
-    "Shift-Tab v v",
-    "Shift-Tab v v v",
-    "Shift-Tab v v v v",
-    "Shift-Tab ) l",
-    "Shift-Tab g",
-    "Shift-Tab 999k",
-    "zo",
-    "? ",
-    "? 22j",
-    "? 44j",
-    "? 66j",
-    "? /zzz",
-    "31n d",
-    "2n D",
-    "0 d",
-    "$ D",
-    "w",
-    "3n a",
-    "3n a 9j",
-    "0 a",
-    "V",
-    "30n V",
-    "T",
-    "B",
-    "bhit Enter B",
-    "bhit Enter bmiss Enter 5r L",
-    "bhit Enter 99r",
-    "bhit Enter B Space Esc r",
-    "x",
-    "n x",
-    "n x x",
-    "L",
-    "M",
-    "ma M",
-    "ma 'a",
-    "'x",
-    "''",
-    "^o",
-    "t",
-    "t t",
-    "t w",
-    "t a",
-    "t n D",
-    "P",
-    "$ P",
-    "+",
-    "^t",
-    "^t ^t",
-    "v",
-    "F",
-    "30J",
-    "$ n",
-    "N",
-    "{",
-    "$ }",
-    "$ o",
-    "U",
-    "Q",
-    "Q Q",
-    "= ",
-    "Q w",
-    "Y",
-];
-
-/// Lines that are typed, right and wrong.
-const LINES: [&str; 41] = [
-    "/",
-    "/zzz Enter",
-    "/sphere Enter 9;",
-    "/sphere Enter ,",
-    ";",
-    "f",
-    "fzzz Enter",
-    "fsphere Enter",
-    ":",
-    ":zzz Enter",
-    ":book Enter",
-    ":pixel Enter",
-    ":hlep Enter",
-    ":help x Enter",
-    ":999 Enter",
-    ":bookmark ab Enter",
-    ":pixel 0,5 Enter",
-    ":pixel 1,5 Enter",
-    ":pixel 5,0 Enter",
-    ":pixel 5,5 Enter",
-    ":pixel 999,5 Enter",
-    "b",
-    "b Enter",
-    "bkind Enter",
-    "bkind shadwo Enter",
-    "bobject spher Enter",
-    "bobject zzz Enter",
-    "blight zzz Enter",
-    "bdepth x Enter",
-    "bray.direction<0 Enter",
-    "bshade.n_dot_l.x<0 Enter",
-    "bT2_A<x Enter",
-    "bshade.n_dot_k Enter",
-    "bzzzzzz Enter",
-    "Q = x Enter",
-    "Q n = x Enter",
-    "Q n = 9 Enter",
-    "Q n = 9 Enter = 9 Enter",
-    "Q 0 =",
-    "Q s s s s s s s = x Enter",
-    "Q ] ] ] ] ] ] ] ] ] ] ] y",
-];
 
 #[test]
 fn no_frame_says_anything_in_english() {
@@ -366,7 +245,9 @@ impl Foreign {
 }
 
 /// The names of keys, and words of breakpoints that are proposed.
-const TYPED: [&str; 8] = ["down", "left", "right", "home", "space", "enter", "camera", "kind"];
+const TYPED: [&str; 13] = [
+    "down", "left", "right", "home", "space", "enter", "camera", "kind", "branch", "pixel", "vectors", "front", "side",
+];
 
 /// A format string without the names of what is put into it.
 fn without_names(text: &str) -> String {

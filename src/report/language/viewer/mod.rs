@@ -3,6 +3,7 @@
 //! What is typed or written in files has one form in every language: keys, commands, the words of breakpoints, the names of
 //! quantities. What explains them is a text of a language.
 
+mod breakpoints;
 mod commands;
 mod glossary;
 mod help;
@@ -11,10 +12,11 @@ mod messages;
 mod panes;
 mod values;
 
+pub use breakpoints::Breakpoints;
 pub use commands::Commands;
 pub use help::{Groups, Help, Keys};
 pub use lists::{Account, Arithmetics, Book, Glossary, Hints, List, Lists, ToCome};
-pub use messages::{Breakpoints, Messages, Quiz, Warnings};
+pub use messages::{Messages, Quiz, Warnings};
 pub use panes::{Outcomes, Panes, Picture, Schematic, Status, StatusHints};
 pub use values::{Eval, Watch};
 
