@@ -184,7 +184,7 @@ pub fn parse(text: &str) -> Result<Formula, String> {
 pub type NameReader<'a, Leaf> = dyn Fn(&str, usize) -> Option<(Leaf, usize)> + 'a;
 
 /// Reads a formula that somebody typed. `name` gives the leaf that a text begins with, at this place of the whole in bytes, and its length; `number` that of
-/// a number. A comma between digits parts operands, unless that makes no sense and a decimal comma does.
+/// a number. In a language with decimal commas a comma between digits is one, unless that makes no sense.
 ///
 /// # Errors
 /// What was expected, and where.
@@ -192,13 +192,15 @@ pub fn parse_typed<Leaf: Clone>(
     text: &str,
     name: &NameReader<'_, Leaf>,
     number: &dyn Fn(f64, usize) -> Leaf,
+    has_decimal_commas: bool,
 ) -> Result<Formula<Leaf>, Wrong> {
     let number = |x, at| Formula::Leaf(number(x, at));
     let read = |has_decimal_commas| {
         let dialect = Dialect { name, number: &number, is_typed: true, has_decimal_commas };
         Parser::new(text, &dialect).whole()
     };
-    read(false).or_else(|wrong| read(true).map_err(|_| wrong))
+    let plainly = read(false);
+    if has_decimal_commas { read(true).or(plainly) } else { plainly }
 }
 
 /// The names of the functions that people can type.

@@ -11,6 +11,9 @@ pub fn number(x: f64, style: Style) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }
+    if !x.is_finite() {
+        return x.to_string();
+    }
     if magnitude >= 1e7 || round_half_away(magnitude, style.digits) == 0.0 {
         return scientific(x, style);
     }
@@ -128,6 +131,13 @@ mod tests {
     #[track_caller]
     fn shows(x: f64, expected: &str) {
         assert_eq!(number(x, Style::default()), expected);
+    }
+
+    #[test]
+    fn numbers_without_end() {
+        shows(f64::INFINITY, "inf");
+        shows(f64::NEG_INFINITY, "-inf");
+        shows(f64::NAN, "NaN");
     }
 
     #[test]

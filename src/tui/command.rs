@@ -244,7 +244,7 @@ fn find(word: &str, texts: &Commands) -> Result<&'static Command, String> {
         [command] => Ok(command),
         [] => Err(match suggest(word, COMMANDS.iter().map(|command| command.name)) {
             Some(near) => (texts.like)(&plain(word), near),
-            None => (texts.expected)(&usages(COMMANDS.iter(), texts)),
+            None => (texts.unknown)(&plain(word)),
         }),
         _ => Err((texts.may_be)(&plain(word), &usages(begun.into_iter(), texts))),
     }
@@ -333,8 +333,8 @@ fn bookmark(model: &mut Model, text: &str) -> Done {
 
 /// Saves the log in another format: with all its results.
 fn export(model: &mut Model, path: &str) -> Done {
-    match model.understanding.quiz {
-        Some(_) => Err(model.texts().quiz.tells_results.to_owned()),
+    match model.hides_outcome() {
+        Some(why) => Err(why.to_owned()),
         None => Ok(Effect::Export(path.to_owned())),
     }
 }

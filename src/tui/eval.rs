@@ -52,7 +52,8 @@ fn computed(model: &Model, text: &str) -> Result<(Formula<Valued>, Value), Strin
     let text = text.trim();
     let name = |rest: &str, at: usize| named(model, rest).map(|(what, length)| (Typed { at, what }, length));
     let number = |x: f64, at: usize| Typed { at, what: What::Constant(x) };
-    let typed = formula::parse_typed(text, &name, &number).map_err(|wrong| unreadable(model, text, wrong))?;
+    let typed = formula::parse_typed(text, &name, &number, model.language.has_decimal_comma())
+        .map_err(|wrong| unreadable(model, text, wrong))?;
     let valued = valued(model, text, &typed)?;
     let value = value_of(model, &valued).ok_or_else(|| impossible(model, text, &valued))?;
     Ok((valued, value))

@@ -22,9 +22,10 @@ pub(super) fn listing(model: &Model) -> Listing {
     let here = terms(&mut std::iter::once(model.event));
     let around = terms(&mut model.tree.own_events(model.cursor));
     let others = terms(&mut (0..model.log.events.len()));
-    let signs = model.language.signs().map(|(sign, meaning)| {
-        Entry::plain(cells([sign.to_owned(), meaning.to_owned(), String::new(), String::new()]), Role::Text)
-    });
+    let signs = model
+        .language
+        .signs()
+        .map(|(sign, meaning)| Entry::plain(cells([sign.to_owned(), meaning.to_owned()]), Role::Text));
     let parts = [here.into_iter().chain(around).collect(), others, signs.collect::<Vec<_>>()];
     let mut entries = Vec::new();
     for (heading, part) in texts.headings.into_iter().zip(parts).filter(|(_, part)| !part.is_empty()) {
@@ -50,9 +51,11 @@ fn names(model: &Model, event: usize) -> Vec<Name> {
 }
 
 fn term(model: &Model, name: Name, event: usize) -> Entry {
-    let formula = name.formula().map_or(String::new(), |formula| format!("= {formula}"));
-    let meaning = model.language.meaning(name.key()).unwrap_or(name.key());
+    let meaning = model.language.meaning(name.key()).unwrap_or(name.key()).to_owned();
+    let formula = name.formula().map(|formula| format!("= {formula}"));
     let section = Some(name.section()).filter(|section| !section.is_empty());
-    let section = section.map_or(String::new(), |section| (model.texts().status.section)(section));
-    Entry::to(event, cells([name.symbol().to_owned(), meaning.to_owned(), formula, section]))
+    let section = section.map(|section| format!("({})", (model.texts().status.section)(section)));
+    // In columns of their own the longest meaning would push formulas off the screen.
+    let explained = [Some(meaning), formula, section].into_iter().flatten().collect::<Vec<_>>().join("  ");
+    Entry::to(event, cells([name.symbol().to_owned(), explained]))
 }

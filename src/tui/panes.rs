@@ -1,13 +1,13 @@
 //! What actions mean in the picture and in the schematic alone; going from pane to pane, and how large they are.
 
 use super::effect::Effect;
-use super::jumps;
 use super::keys::{Action, Walk};
 use super::model::drawing::Projection;
 use super::model::layout::Layout;
 use super::model::picture::MOST_ZOOM;
 use super::model::schematic::Shown;
 use super::model::{Model, Pane};
+use super::{jumps, plane};
 use std::cmp::Ordering;
 
 /// Moves the focus to the n-th pane after the one that has it, of those on the screen.
@@ -39,7 +39,10 @@ pub(super) fn in_picture(model: &mut Model, action: Action, count: Option<u32>) 
         Action::ZoomOut => view.zoom = view.zoom.saturating_sub(1),
         Action::Brighter => view.expose(times),
         Action::Darker => view.expose(-times),
-        Action::NextView => view.next_layer(),
+        Action::NextView => {
+            view.next_layer();
+            plane::hide(model);
+        }
         Action::Walk(Walk::Faster) => return to_extreme(model, |a, b| b.total_cmp(a)),
         Action::Walk(Walk::Slower) => return to_extreme(model, f64::total_cmp),
         _ => return move_cursor(model, action, count),

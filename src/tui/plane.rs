@@ -2,7 +2,8 @@
 
 use super::effect::Effect;
 use super::model::picture::Layer;
-use super::model::{Model, Pane};
+use super::model::{Model, Pane, quantity};
+use super::watch;
 use crate::files::escape::is_hidden;
 use crate::log::plane::{PathPattern, PathStep, Plane, PlaneError, ValueAt, ValueError, class_word};
 use crate::log::{Name, RayKind, Step};
@@ -23,12 +24,27 @@ pub(super) fn run(model: &mut Model, text: &str) -> Result<Effect, String> {
         show(model, layer);
         return Ok(Effect::None);
     }
+    if let Some(why) = model.hides_outcome() {
+        return Err(why.to_owned());
+    }
     let is_kind = |kind: &str| text.strip_prefix(kind).is_some_and(|rest| rest.starts_with(':'));
     let plane = match Plane::KINDS.into_iter().any(is_kind) {
         true => text.parse::<Plane>(),
-        false => ValueAt::read(text, || path_here(model)).map(Plane::Value).map_err(PlaneError::Value),
+        false => {
+            let text = with_key(model, text)?;
+            ValueAt::read(&text, || path_here(model)).map(Plane::Value).map_err(PlaneError::Value)
+        }
     };
     plane.map(Effect::Picture).map_err(|error| refused(model, &error))
+}
+
+/// The text with the key of the quantity that it names by its symbol, such as `N·L@C R`.
+fn with_key(model: &Model, text: &str) -> Result<String, String> {
+    let (called, path) = text.split_at(text.find('@').unwrap_or(text.len()));
+    // A key that isn't known is answered with what `render --layers` says.
+    let is_symbol =
+        quantity::named(called).is_some_and(|(names, _)| names.iter().all(|name| !called.contains(name.key())));
+    if is_symbol { Ok(watch::named(model, called)?.key() + path) } else { Ok(text.to_owned()) }
 }
 
 /// What was asked for is being rendered.
@@ -36,6 +52,14 @@ pub(super) fn is_shown(model: &mut Model) {
     show(model, Layer::Named);
     if let Some(view) = &mut model.picture {
         view.is_finished = false;
+    }
+}
+
+/// Shows the colours again where a quiz begins, or a tree to grow: the range of values would tell some of them.
+pub(super) fn hide(model: &mut Model) {
+    let hides = model.hides_outcome().is_some();
+    if let Some(view) = model.picture.as_mut().filter(|view| hides && view.layer == Layer::Named) {
+        view.layer = Layer::Colors;
     }
 }
 

@@ -5,7 +5,7 @@ use super::model::breakpoint::kind;
 use super::model::hidden::is_asked;
 use super::model::prompt::{Prompt, Purpose};
 use super::model::understanding::{Known, Quiz};
-use super::search;
+use super::{plane, search};
 use crate::log::{Decision, Value, What};
 use crate::report::answer::{self, Unreadable, Verdict};
 
@@ -19,6 +19,7 @@ pub(super) fn toggle(model: &mut Model) {
         None => {
             model.understanding.quiz = Some(Quiz::default());
             renew(model);
+            plane::hide(model);
             model.say(model.texts().quiz.begins);
         }
     }

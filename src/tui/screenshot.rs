@@ -87,12 +87,18 @@ fn draw_run(svg: &mut String, run: &[Cell], [column, row]: [usize; 2], own: [&st
         );
         return;
     }
+    let dots: String = run.iter().enumerate().map(|(at, cell)| dots(cell, x + at as f64 * CELL.0, y)).collect();
+    if !dots.is_empty() {
+        let _ = writeln!(svg, "<path fill=\"{}\"{} d=\"{dots}\"/>", look.foreground, look.attributes);
+    }
     // Text begins and ends at letters: what is blank at its ends only moves it.
-    let is_blank = |cell: &Cell| !cell.symbol().is_empty() && cell.symbol().trim().is_empty();
+    let is_blank =
+        |cell: &Cell| braille(cell).is_some() || (!cell.symbol().is_empty() && cell.symbol().trim().is_empty());
     let Some(first) = run.iter().position(|cell| !is_blank(cell)) else { return };
     let last = run.iter().rposition(|cell| !is_blank(cell)).unwrap_or(first);
     let cells = &run[first..=last];
-    let text: String = cells.iter().map(Cell::symbol).map(xml_of_visible).collect();
+    let letter = |cell: &Cell| if braille(cell).is_some() { " ".to_owned() } else { xml_of_visible(cell.symbol()) };
+    let text: String = cells.iter().map(letter).collect();
     let (x, y) = (x + first as f64 * CELL.0, y + 0.76 * CELL.1);
     let length = cells.len() as f64 * CELL.0;
     let _ = writeln!(
@@ -101,6 +107,31 @@ fn draw_run(svg: &mut String, run: &[Cell], [column, row]: [usize; 2], own: [&st
          fill=\"{}\"{}>{text}</text>",
         look.foreground, look.attributes
     );
+}
+
+/// Which dots of a Braille pattern are set, a bit each in the order of Unicode; `None` of other symbols.
+fn braille(cell: &Cell) -> Option<u32> {
+    let mut characters = cell.symbol().chars();
+    match (characters.next(), characters.next()) {
+        (Some(dots @ '\u{2800}'..='\u{28ff}'), None) => Some(dots as u32 - 0x2800),
+        _ => None,
+    }
+}
+
+/// The dots of a cell with this corner, as squares of a path: fonts have Braille patterns of many widths, or none.
+fn dots(cell: &Cell, x: f64, y: f64) -> String {
+    /// Column and row of each bit.
+    const PLACES: [[u8; 2]; 8] = [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2], [0, 3], [1, 3]];
+    /// The side of a dot.
+    const SIDE: f64 = 1.6;
+    let pattern = braille(cell).unwrap_or_default();
+    let set = PLACES.into_iter().enumerate().filter(|(bit, _)| pattern >> bit & 1 == 1);
+    let square = |(_, [column, row]): (usize, [u8; 2])| {
+        let middle = [x + (f64::from(column) + 0.5) * CELL.0 / 2.0, y + (f64::from(row) + 0.5) * CELL.1 / 4.0];
+        let [left, top] = middle.map(|middle| middle - SIDE / 2.0);
+        format!("M{left:.1} {top:.1}h{SIDE}v{SIDE}h-{SIDE}z")
+    };
+    set.map(square).collect()
 }
 
 /// Whether all cells are upper half blocks, or else lower ones: letters of a font would leave seams between them.
@@ -179,6 +210,16 @@ mod tests {
         let svg = svg(&buffer, Background::Dark);
         assert!(svg.contains(&format!("height=\"18\" fill=\"{}\"", own_colors(Background::Dark)[1])), "{svg}");
         assert!(svg.contains(&format!("fill=\"{}\">x</text>", own_colors(Background::Dark)[0])), "{svg}");
+    }
+
+    #[test]
+    fn braille_patterns_are_dots() {
+        let svg = picture("a\u{2801}\u{2880}b");
+        assert!(svg.contains(">a  b</text>"), "{svg}");
+        // The first dot of a cell, and the last one of the next.
+        let middles = [(1.25, 0.125), (2.75, 0.875)].map(|(column, row)| [column * CELL.0, row * CELL.1]);
+        let [first, last] = middles.map(|[x, y]| format!("M{:.1} {:.1}h", MARGIN + x - 0.8, MARGIN + y - 0.8));
+        assert!(svg.contains(&first) && svg.contains(&last) && svg.matches('z').count() == 2, "{svg}");
     }
 
     #[test]

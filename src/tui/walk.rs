@@ -6,7 +6,7 @@ use super::model::list::Kind;
 use super::model::prompt::{Prompt, Purpose};
 use super::model::{Model, Overlay};
 use super::steps::Step;
-use super::{bookmarks, breakpoints, copy, edit, jumps, listing, mouse, play, run, search, watch};
+use super::{bookmarks, breakpoints, copy, edit, jumps, listing, mouse, plane, play, run, search, watch};
 
 /// Does it; `count` is the number typed before.
 pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effect {
@@ -93,6 +93,7 @@ fn toggle_growing(model: &mut Model) {
     } else {
         model.guide.grown = Some(model.event);
         model.grow();
+        plane::hide(model);
         model.say(model.texts().messages.tree_grows);
     }
 }

@@ -71,7 +71,7 @@ fn current(model: &Model) -> Option<Watched> {
 }
 
 /// What a text names: a quantity by its key, or by a symbol that no other quantity of the log has.
-fn named(model: &Model, text: &str) -> Result<Watched, String> {
+pub(super) fn named(model: &Model, text: &str) -> Result<Watched, String> {
     let texts = &model.texts().watch;
     let Some((names, part)) = quantity::named(text) else {
         return Err(match suggest(text, quantity::words()) {

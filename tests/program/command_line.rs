@@ -217,7 +217,7 @@ fn wrong_calls_say_what_to_change() {
     says(2, &["trace", "textbook", "--ray", "0,0,0,0,0,0"], "a direction that is not zero");
     says(2, &["trace", "textbook", "--ray", "0,0,0,1e-200,0,0"], "a direction that is not zero");
     says(2, &["trace", "textbook", "--ray", "1e300,0,0,1,0,0"], "coordinates up to 1e100");
-    says(2, &["walk", "--screenshot", "a.txt"], "ends in .svg");
+    says(2, &["walk", "--screenshot", "a.png"], "ends in .svg");
     says(2, &["trace", "textbok", "--pixel", "1,1"], "did you mean the built-in scene `textbook`?");
     says(2, &["trace", "no/such.json", "--pixel", "1,1"], "no/such.json: no such file or built-in scene\n");
     says(2, &["walk", "textbok"], "no such file or built-in scene; did you mean the built-in scene `textbook`?");

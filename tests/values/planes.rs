@@ -123,7 +123,10 @@ proptest! {
                     prop_assert_eq!(bits(&numbers[..one.numbers()]), bits(&expected), "{} {}", arithmetic, one);
                 }
                 let same = by_path.iter().filter(|(other, _)| without_numbers(other) == without_numbers(path));
-                let values: Vec<_> = same.map(|(_, found)| components(chosen(&log, &tree, found))).collect();
+                let values: Vec<_> = same.flat_map(|(path, found)| match path.as_str() {
+                    "" => found.iter().map(|found| components(found.value)).collect(),
+                    _ => vec![components(chosen(&log, &tree, found))],
+                }).collect();
                 for (axis, number) in numbers[one.numbers()..].iter().enumerate() {
                     let mean = values.iter().map(|value| value[axis]).sum::<f64>() / values.len() as f64;
                     let size = values.iter().map(|value| value[axis].abs()).fold(0.0, f64::max);

@@ -159,6 +159,34 @@ fn what_is_misspelt_is_answered_with_what_there_is() {
     assert!(said(":picture light: Enter").contains("expected the name of a light"));
 }
 
+/// A quiz asks for values, and a tree that grows hasn't come to them: the range of a picture would tell them.
+#[test]
+fn no_picture_tells_what_is_asked() {
+    for keys in [
+        "Q :picture Space plane.v_o@C Enter",
+        "t :picture Space plane.v_o@C Enter",
+        ":picture Space plane.v_o@C Enter Q",
+        ":picture Space plane.v_o@C Enter t",
+    ] {
+        let frame = frame_after(keys, (120, 40), Language::English);
+        assert!(!frame.contains("plane.v_o@C -12"), "{keys}: {frame}");
+        let model = after(keys, (100, 30), Language::English);
+        assert_eq!(model.picture.map(|view| view.layer), Some(Layer::Colors), "{keys}");
+    }
+    // Everywhere it is -12.
+    assert!(frame_after(":picture plane.v_o@C Enter", (120, 40), Language::English).contains("plane.v_o@C -12"));
+}
+
+#[test]
+fn symbols_are_known() {
+    let title = |keys: &str| {
+        let model = after(keys, (100, 30), Language::English);
+        model.picture.as_ref().map(|view| view.title(model.language).to_owned()).unwrap_or_default()
+    };
+    assert_eq!(title(":picture N·L Enter"), "shade.n_dot_l@C");
+    assert_eq!(title(":picture N·L@C Space R Enter"), "shade.n_dot_l@C R");
+}
+
 #[test]
 fn tab_completes_keys_lights_and_paths() {
     let line = |keys: &str| {

@@ -114,7 +114,14 @@ fn the_log_is_exported_as_trace_writes_it() {
     let mut session = open(&log);
     session.press(&format!(":export {log_text}\r"));
     session.shows("is the input, which would be overwritten");
-    session.press(":export -\r");
+    // What reads the pipe may never come.
+    let pipe = folder.path().join("pipe.html");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().expect("a program of every Unix").success());
+    session.press(&format!(":export {}\r", pipe.display()));
+    session.shows("expected the name of a file");
+    session.press(&format!("\x03:export {}/\r", folder.path().join("b.html").display()));
+    session.shows("expected the name of a file");
+    session.press("\x03:export -\r");
     session.shows("expected a name that ends in one of .html");
     session.press("Q:export b.html\r");
     session.shows("that would tell the results");
@@ -135,6 +142,11 @@ fn notes_are_kept_beside_a_saved_log() {
     session.shows("bookmark b: too dark here (kept in ");
     session.press("4n:note and here\r");
     session.shows("bookmark c: and here (kept in ");
+    // They were read: nothing else may be written there.
+    session.press(&format!(":export {}\r", notes.display()));
+    session.shows("is the input, which would be overwritten");
+    session.press("\x03");
+    session.hides("overwritten");
     leave(session);
     let kept = fs::read_to_string(&notes).expect("the notes");
     let document: serde_json::Value = serde_json::from_str(&kept).expect("JSON");

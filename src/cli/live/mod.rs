@@ -212,6 +212,11 @@ impl SavedLog {
     pub fn new(digest: String, inputs: Inputs, path: &Path) -> SavedLog {
         SavedLog { digest, inputs, notebook: Notebook::beside(path) }
     }
+
+    /// The files that were read, those of the notes among them: only notes may be written there.
+    fn read(&self) -> Inputs {
+        self.inputs.clone().and(Inputs::of(self.notebook.file()))
+    }
 }
 
 impl Live for SavedLog {
@@ -228,11 +233,11 @@ impl Live for SavedLog {
     }
 
     fn write(&mut self, path: &str, text: &str) -> Result<(), Refusal> {
-        results::write(path, &self.inputs, text.as_bytes())
+        results::write(path, &self.read(), text.as_bytes())
     }
 
     fn export(&mut self, log: &Log, path: &str, language: Language, numbers: Style) -> Result<(), Refusal> {
-        results::export(None, log, (path, &self.inputs), (language, numbers))
+        results::export(None, log, (path, &self.read()), (language, numbers))
     }
 
     fn files(&mut self, beginning: &str) -> Vec<String> {

@@ -58,6 +58,11 @@ impl Notebook {
         Notebook { path, known: None, digest: None }
     }
 
+    /// Where they are kept.
+    pub fn file(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
     /// The notes, if there are any.
     pub fn read(&mut self, log: &Log) -> Result<Option<Notes>, Refusal> {
         let Some(path) = self.path.clone() else { return Ok(None) };

@@ -14,8 +14,11 @@ pub enum PathError {
 /// The most paths in a list.
 const MAX_LISTED: usize = 1000;
 
-/// Sets the value at a path. A key that is missing is added: whether a scene may have it is the reader's to say.
+/// Sets the value at a path. Steps may be left out where what is left means one place only: `objects.ball.radius`. A key that is missing is
+/// added: whether a scene may have it is the reader's to say.
 pub fn set(scene: &mut Value, path: &str, text: &str) -> Result<(), PathError> {
+    let whole = if leads(scene, path) { None } else { completed(scene, path) };
+    let path = whole.as_deref().unwrap_or(path);
     let mut at = scene;
     let mut rest = path;
     if rest.is_empty() {
@@ -43,6 +46,41 @@ pub fn set(scene: &mut Value, path: &str, text: &str) -> Result<(), PathError> {
     }
 }
 
+/// Whether something is at a path.
+fn leads(scene: &Value, path: &str) -> bool {
+    let (mut at, mut rest) = (scene, path);
+    while !rest.is_empty() {
+        let (step, behind) = step(at, rest);
+        let next = index_of(at, step).and_then(|index| match at {
+            Value::Object(map) => map.values().nth(index),
+            Value::Array(list) => list.get(index),
+            _ => None,
+        });
+        let Some(next) = next else { return false };
+        (at, rest) = (next, behind);
+    }
+    true
+}
+
+/// The only path that has these steps, with others in between.
+fn completed(scene: &Value, path: &str) -> Option<String> {
+    let only = |path: &str| {
+        let is_meant = |found: &str| {
+            let mut own = found.split('.');
+            path.split('.').all(|step| own.any(|own| own == step)) && own.next().is_none()
+        };
+        let mut found = list(scene, path).into_iter().map(|(found, _)| found).filter(|found| is_meant(found));
+        found.next().filter(|_| found.next().is_none())
+    };
+    // Paths end at vectors, of which a component may be meant.
+    let of_component = || {
+        let (vector, letter) = path.rsplit_once('.')?;
+        let whole = only(vector)?;
+        Some(format!("{whole}.{letter}")).filter(|whole| leads(scene, whole))
+    };
+    only(path).or_else(of_component)
+}
+
 /// The first step of a path and the rest behind its dot. Names may have dots, so the longest that is there counts.
 fn step<'p>(at: &Value, path: &'p str) -> (&'p str, &'p str) {
     let ends = path.match_indices('.').map(|(end, _)| end).chain([path.len()]);
@@ -57,10 +95,17 @@ fn index_of(at: &Value, step: &str) -> Option<usize> {
         Value::Object(map) => map.keys().position(|key| key == step),
         Value::Array(list) => {
             let named = list.iter().position(|item| name(item) == Some(step));
-            named.or_else(|| step.parse().ok().filter(|index| *index < list.len()))
+            let index = || step.parse().ok().or_else(|| component(list, step));
+            named.or_else(|| index().filter(|index| *index < list.len()))
         }
         _ => None,
     }
+}
+
+/// The component of a point or colour that a letter stands for.
+fn component(list: &[Value], letter: &str) -> Option<usize> {
+    let is_vector = list.len() == 3 && list.iter().all(Value::is_number);
+    ["x", "y", "z"].iter().zip(["r", "g", "b"]).position(|(x, r)| is_vector && (*x == letter || r == letter))
 }
 
 fn name(item: &Value) -> Option<&str> {
@@ -80,20 +125,21 @@ fn label(index: usize, item: &Value) -> String {
     name(item).map_or_else(|| index.to_string(), str::to_owned)
 }
 
-/// The value in a text: JSON, numbers with blanks or commas between them, or a word.
+/// The value in a text: JSON, numbers with blanks, commas or semicolons between them (these in languages with decimal commas), or a word.
 fn value(text: &str) -> Value {
     if let Ok(value) = serde_json::from_str(text) {
         return value;
     }
+    let text = &if text.contains(';') { text.replace(',', ".").replace(';', " ") } else { text.to_owned() };
     let numbers: Option<Vec<f64>> = text
-        .trim_matches(['(', ')'])
+        .trim_matches(['(', ')', '[', ']'])
         .split([',', ' '])
         .filter(|part| !part.is_empty())
         .map(|part| part.parse().ok().filter(|number: &f64| number.is_finite()))
         .collect();
     match numbers {
         Some(numbers) if numbers.len() > 1 => numbers.into(),
-        _ => text.into(),
+        _ => text.as_str().into(),
     }
 }
 
@@ -178,6 +224,17 @@ mod tests {
             "/objects/1/shape/plane/coefficients",
             json!([0.0, 0.0, 1.0, 4.0]),
         );
+        // A vector as it is shown in Spanish, a component by its letter, and paths with steps left out.
+        sets(
+            "objects.ball.shape.sphere.center",
+            "(1; 2,5; -3)",
+            "/objects/0/shape/sphere/center",
+            json!([1.0, 2.5, -3.0]),
+        );
+        sets("objects.ball.shape.sphere.center.y", "7", "/objects/0/shape/sphere/center/1", json!(7));
+        sets("objects.ball.center.z", "7", "/objects/0/shape/sphere/center/2", json!(7));
+        sets("objects.ball.radius", "7", "/objects/0/shape/sphere/radius", json!(7));
+        sets("objects.ball.material", "glass", "/objects/0/material", json!("glass"));
         sets("tracing.algorithm", "foley", "/tracing/algorithm", json!("foley"));
         sets("tracing.max_depth", "3", "/tracing/max_depth", json!(3));
         sets("sampling", r#"{"regular": {"n": 3}}"#, "/sampling/regular/n", json!(3));

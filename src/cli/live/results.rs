@@ -16,14 +16,12 @@ use std::path::Path;
 /// Saves a result under this name, which leads to none of the inputs. It may replace an earlier one.
 pub fn write(path: impl AsRef<Path>, inputs: &Inputs, bytes: &[u8]) -> Result<(), Refusal> {
     let path = path.as_ref();
-    // Standard output is the terminal, which is the viewer's.
-    if path == Path::new("-") {
+    // Standard output is the terminal, which is the viewer's. To open a pipe would be to wait for somebody who reads it.
+    let is_other = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
+    if path == Path::new("-") || is_other || path.as_os_str().as_encoded_bytes().ends_with(b"/") {
         return Err(Refusal::NoFile);
     }
     let output = Output::create(Some(path), inputs).map_err(refused)?;
-    if !output.is_file() {
-        return Err(Refusal::NoFile);
-    }
     output.commit_for_now(bytes).map_err(refused)
 }
 

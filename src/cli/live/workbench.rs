@@ -92,10 +92,12 @@ impl Workbench {
             }
         };
         let scene = self.built(&next).map_err(refused)?;
+        // What changes nothing takes no step of `:undo`, and what was before stays to be compared with.
+        let is_same = next.loaded.scene == self.now.loaded.scene && next.tracing == self.now.tracing;
         let left = std::mem::replace(&mut self.now, next);
         if *change == Change::Undo {
             self.past.pop();
-        } else {
+        } else if !is_same {
             self.remember(left);
         }
         Ok(scene)

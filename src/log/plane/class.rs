@@ -84,7 +84,7 @@ impl Class {
         let mut word = beginning.as_bytes().to_vec();
         word.resize(beginning.len() + bounces, b'S');
         word.push(b'E');
-        self.pattern.ends(&word, 0).contains(&word.len())
+        self.pattern.ends(&word, &[0]).contains(&word.len())
     }
 }
 
@@ -172,37 +172,41 @@ fn repeated(part: Pattern, rest: &mut Vec<char>) -> Option<Pattern> {
 }
 
 impl Pattern {
-    /// Where it can end that begins here, in ascending order.
-    fn ends(&self, word: &[u8], start: usize) -> Vec<usize> {
+    /// Where it can end that begins at one of these places, in ascending order. All of them go on together, so that a pattern takes no more steps
+    /// than there are letters, however it is nested.
+    fn ends(&self, word: &[u8], starts: &[usize]) -> Vec<usize> {
+        let behind = |is_it: &dyn Fn(u8) -> bool| {
+            let found = starts.iter().filter(|start| word.get(**start).is_some_and(|letter| is_it(*letter)));
+            found.map(|start| start + 1).collect()
+        };
         match self {
-            Pattern::Letter(letter) => {
-                word.get(start).filter(|found| *found == letter).map(|_| start + 1).into_iter().collect()
-            }
-            Pattern::Any => word.get(start).map(|_| start + 1).into_iter().collect(),
-            Pattern::Sequence(parts) => parts.iter().fold(vec![start], |starts, part| part.ends_of_all(word, &starts)),
-            Pattern::Either(ways) => united(ways.iter().flat_map(|way| way.ends(word, start)).collect()),
+            Pattern::Letter(letter) => behind(&|found| found == *letter),
+            Pattern::Any => behind(&|_| true),
+            Pattern::Sequence(parts) => parts.iter().fold(starts.to_vec(), |starts, part| part.ends(word, &starts)),
+            Pattern::Either(ways) => united(ways.iter().flat_map(|way| way.ends(word, starts)).collect()),
             Pattern::Repeated(part, least, most) => {
-                let mut starts = vec![start];
+                let mut now = starts.to_vec();
                 for _ in 0..*least {
-                    starts = part.ends_of_all(word, &starts);
-                }
-                let mut found = starts.clone();
-                // Once more as often as it may be, until nothing new is reached.
-                for _ in *least..most.unwrap_or(least + word.len() + 1) {
-                    starts = part.ends_of_all(word, &starts);
-                    starts.retain(|end| !found.contains(end));
-                    if starts.is_empty() {
+                    let next = part.ends(word, &now);
+                    // Nothing is left, or once more makes no difference.
+                    if next == now {
                         break;
                     }
-                    found.extend(&starts);
+                    now = next;
+                }
+                let mut found = now.clone();
+                // Once more as often as it may be, until nothing new is reached.
+                for _ in *least..most.unwrap_or(least + word.len() + 1) {
+                    now = part.ends(word, &now);
+                    now.retain(|end| !found.contains(end));
+                    if now.is_empty() {
+                        break;
+                    }
+                    found.extend(&now);
                 }
                 united(found)
             }
         }
-    }
-
-    fn ends_of_all(&self, word: &[u8], starts: &[usize]) -> Vec<usize> {
-        united(starts.iter().flat_map(|start| self.ends(word, *start)).collect())
     }
 }
 
@@ -235,6 +239,16 @@ mod tests {
         matched("LDDE", &[]);
         matched("(AS)+E", &["ASE"]);
         matched("(S*)*", &[]);
+        matched("L(D|S)(S?)³E", &["LDE", "LSE", "LDSE", "LSSE", "LDSSE", "LSSSE", "LDSSSE", "LSSSSE"]);
+    }
+
+    /// They would take 10¹² steps one by one.
+    #[test]
+    fn nested_powers_end() {
+        let class: Class = "LD((((S?)¹⁰⁰⁰)¹⁰⁰⁰)¹⁰⁰⁰)¹⁰⁰⁰E".parse().unwrap();
+        assert!(class.matches("LD", 250) && !class.matches("LS", 250));
+        let class: Class = "LD((((S*)+)*S¹⁰⁰⁰)¹⁰⁰⁰)¹⁰⁰⁰E".parse().unwrap();
+        assert!(!class.matches("LD", 250));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! A value belongs to the ray in whose node it is noted or given; that of a light also to the light's shadow ray, whether one is traced or not. Of
 //! several in one ray that of the test counts that found the nearest hit, or else the first. Of several rays, those of other samples or the others
-//! of a split, all count alike: the mean.
+//! of a split, all count alike: the mean. So do all values of the pixel that are in no ray and no sample.
 
 use super::planes::{Place, Resolved};
 use crate::log::plane::PathStep;
@@ -104,6 +104,7 @@ impl<'p> Catcher<'p> {
     pub fn enter(&mut self, step: Step) {
         let open = match step {
             Step::Sample { number } => {
+                self.settle();
                 self.sample = number;
                 Open::Sample
             }
@@ -214,9 +215,12 @@ impl<'p> Catcher<'p> {
             if wanted.of.path.steps.len() != self.path.len() {
                 continue;
             }
-            let first = caught.found.first().map(|(value, _)| *value);
-            caught.found.clear();
-            if let Some(value) = caught.chosen.take().or(first) {
+            // Of what belongs to no ray and no sample, such as the cells of adaptive sampling, each value counts.
+            let is_outside = self.path.is_empty() && self.sample == 0;
+            let count = if is_outside { caught.found.len() } else { 1 };
+            let found = std::mem::take(&mut caught.found);
+            let values = caught.chosen.take().into_iter().chain(found.into_iter().map(|(value, _)| value));
+            for value in values.take(count) {
                 let color = match value {
                     Value::Number(number) => Color::splat(number),
                     Value::Triple(triple) => triple.into(),

@@ -199,8 +199,24 @@ pub fn differing(a: Run, b: Run) -> Differing {
         Spot::OnlyB(Item::Node(node)) => Some(b.tree.nodes()[*node].events.start),
         Spot::Both(_, Item::Node(_)) | Spot::OnlyA(_) => None,
     };
-    let first = spots.first().map(|spot| text::label_with_path(&comparing.entry(*spot)));
+    let first = spots.first().map(|spot| match *spot {
+        Spot::Both(..) => text::label_with_path(&comparing.entry(*spot)),
+        Spot::OnlyA(item) => place(a, item),
+        Spot::OnlyB(item) => place(b, item),
+    });
     Differing { events: spots.iter().filter_map(event).collect(), count: spots.len(), first }
+}
+
+/// Where something is that only one log has, in words of no language: its path, and the key of a value.
+fn place(run: Run, item: Item) -> String {
+    let (node, name) = match item {
+        Item::Node(node) => (node, None),
+        Item::Event(event) | Item::Input(event, _) => {
+            (run.tree.owner(event), run.log.events[event].noted().map(|(name, _)| name.key()))
+        }
+    };
+    let path = run.tree.path(node);
+    name.map_or(path.clone(), |key| format!("{key} ({path})"))
 }
 
 struct Comparing<'a> {

@@ -108,6 +108,11 @@ impl Language {
         self.marked(text.replace(", ", self.texts().separator))
     }
 
+    /// Whether its decimal mark is a comma.
+    pub fn has_decimal_comma(self) -> bool {
+        self.texts().decimal_mark == ','
+    }
+
     /// A number that is written already, with the language's decimal mark.
     pub fn marked(self, text: String) -> String {
         if self.texts().decimal_mark == '.' { text } else { text.replace('.', &self.texts().decimal_mark.to_string()) }

@@ -77,8 +77,9 @@ fn signs_and_functions() {
     number("2.5·10⁻³", 2.5 * libm::pow(10.0, -3.0));
     number("3²", 9.0);
     number("max(1, 2) + min(1; 2)", 3.0);
-    number("0,5 + 1", 1.5);
-    number("min(0,5; 1)", 0.5);
+    refuses(&model, "0,5 + 1", "column 2: ");
+    refuses(&model, "min(1,2,3)", "column 8: ");
+    refuses(&model, "(1,2)*(3,4)", "column 5: ");
     number("clamp(7, 0, 1) + clamp(-7, 0, 1)", 1.0);
     number("abs(-1e200)", 1e200);
     number("|-3|", 3.0);
@@ -94,6 +95,17 @@ fn signs_and_functions() {
     gives(&model, "(1, 2, 3)/2", Value::Triple([0.5, 1.0, 1.5]));
     gives(&model, "(1, 2, 3) ∘ (2, 2, 2)", Value::Triple([2.0, 4.0, 6.0]));
     gives(&model, "unit((0, 3, 4))", Value::Triple([0.0, 0.6, 0.8]));
+}
+
+/// With decimal commas, where that makes sense.
+#[test]
+fn spanish_numbers() {
+    let model = Model { language: Language::Spanish, ..sized(textbook(), 100, 30) };
+    let number = |text: &str, expected: f64| gives(&model, text, Value::Number(expected));
+    number("0,5 + 1", 1.5);
+    number("min(0,5; 1)", 0.5);
+    number("max(1, 2)", 2.0);
+    number("dot((1,5; 2; 3), (4, 5, 6))", 34.0);
 }
 
 #[test]

@@ -244,7 +244,7 @@ pub fn names(in_lists: bool) -> Vec<String> {
 fn spelt(key: &str) -> Result<Chord, Refused> {
     let near = || suggest(key, NAMES.iter().map(|(name, _)| *name));
     match chord(key) {
-        Some(chord) if unknown_name(key).is_none() => Ok(chord),
+        Some(chord) if unknown_name(key).is_none() && !key.chars().any(char::is_control) => Ok(chord),
         _ => Err(Refused::NoKey(near())),
     }
 }
@@ -253,8 +253,14 @@ fn spelt(key: &str) -> Result<Chord, Refused> {
 fn is_fixed(chord: &Chord) -> bool {
     let begins = chord.first.map_or_else(|| chord.key.clone(), String::from);
     let is_digit = begins.len() == 1 && matches!(begins.as_bytes()[0], b'1'..=b'9');
-    is_digit || (chord.first.is_some() && begins == "0") || matches!(chord.key.as_str(), "Esc" | "Enter")
+    is_digit
+        || (chord.first.is_some() && begins == "0")
+        || NOT_SENT.contains(&chord.key.as_str())
+        || matches!(chord.key.as_str(), "Esc" | "Enter")
 }
+
+/// What terminals send as Tab, Enter and Esc.
+const NOT_SENT: [&str; 3] = ["^i", "^m", "^["];
 
 /// Keys of which one is the beginning of the other, so that it never comes to that: the beginning first.
 pub fn clashes(bindings: &Bindings) -> Vec<[Chord; 2]> {

@@ -29,6 +29,15 @@ impl Model {
         self.understanding.quiz.as_ref().map(|_| current).or(self.guide.grown)
     }
 
+    /// Why what the whole pixel comes to may not be shown: a quiz asks for it, or the tree that grows hasn't come to it.
+    pub fn hides_outcome(&self) -> Option<&'static str> {
+        let texts = self.texts();
+        match self.understanding.quiz {
+            Some(_) => Some(texts.quiz.tells_results),
+            None => self.guide.grown.map(|_| texts.lists.to_come.color),
+        }
+    }
+
     /// Whether the quiz hides what goes into an event: it is after the current step, and its operands would tell results.
     pub fn hides_operands(&self, event: usize) -> bool {
         self.understanding.quiz.is_some() && event > self.event

@@ -59,7 +59,7 @@ fn commands() {
         ("bookmark ab", "expected one letter"),
         ("serach x", "did you mean :search?"),
         ("b", "may be :book, :bookmark LETTER [NOTE], :bookmarks, :break CONDITION"),
-        ("xyzzy", "expected a step or a command: :algorithm NAME, :arithmetic NAME, :book, :bookmark LETTER [NOTE]"),
+        ("xyzzy", "no command :xyzzy; Tab completes commands, ? lists them"),
         ("note", "expected :note TEXT"),
         ("screenshot", "expected :screenshot FILE"),
         ("quit now", "nothing may follow :quit"),

@@ -96,7 +96,7 @@ fn places(model: &Model) -> [String; 3] {
             let tag = tag(&model.log, &model.tree, model.event).map(|tag| (status.section)(&tag));
             let left_out = is_left_out(&model.log, &model.tree, model.event).then(|| status.left_out.to_owned());
             let source: String =
-                tag.iter().chain(&left_out).zip(["  ", ", "]).map(|(text, gap)| format!("{gap}{text}")).collect();
+                tag.iter().chain(&left_out).zip(["  ", " "]).map(|(text, gap)| format!("{gap}{text}")).collect();
             [format!("{path}  {key}{source}"), format!("{path}  {key}"), format!("  {key}")]
         }
         _ => [path, String::new(), String::new()],

@@ -55,7 +55,7 @@ fn nothing_said_changes_nothing() {
     assert_eq!(read(""), Config::default());
     assert_eq!(read("\u{feff}# nothing\n[keys]\n"), Config::default());
     // What a key does anyway is no change.
-    assert_eq!(read("[keys]\n\"n\" = \"next-value\"\n\"Z\" = \"none\"\n"), Config::default());
+    assert_eq!(read("[keys]\n\"n\" = \"next-value\"\n\"&\" = \"none\"\n"), Config::default());
 }
 
 #[test]

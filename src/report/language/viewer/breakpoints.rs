@@ -100,10 +100,20 @@ texts! {
     three_numbers(key: &str) =
         "{key} has three numbers: compare {key}.x, .y or .z (.r, .g or .b), or the length |{key}|",
         "{key} son tres números: compare {key}.x, .y o .z (.r, .g o .b), o la longitud |{key}|";
+    /// It is longer than anybody types.
+    too_long(terms: usize, characters: usize) =
+        "a condition has at most {terms} terms and {characters} characters",
+        "una condición tiene como mucho {terms} términos y {characters} caracteres";
     /// Shown in place of a number.
-    expected_number(text: &str) =
-        "expected a number such as 0 or -1.5e-3, not `{text}`",
-        "se espera un número como 0 o -1,5e-3, no `{text}`";
+    expected_number: fn(&str) -> String =
+        |text| match text {
+            "" => "expected a number such as 0 or -1.5e-3 behind the sign".to_owned(),
+            text => format!("expected a number such as 0 or -1.5e-3, not `{text}`"),
+        },
+        |text| match text {
+            "" => "se espera un número como 0 o -1,5e-3 tras el signo".to_owned(),
+            text => format!("se espera un número como 0 o -1,5e-3, no `{text}`"),
+        };
     /// Nothing is called so, but so.
     name_like(text: &str, near: &str) =
         "nothing is called `{text}`; did you mean `{near}`?",

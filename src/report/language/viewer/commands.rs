@@ -19,8 +19,10 @@ texts! {
     like(text: &str, near: &str) =
         "no command :{text}; did you mean :{near}?",
         "no hay orden :{text}; ¿quiso decir :{near}?";
-    /// All commands.
-    expected(commands: &str) = "expected a step or a command: {commands}", "se espera un paso o una orden: {commands}";
+    /// No command is called so.
+    unknown(word: &str) =
+        "no command :{word}; Tab completes commands, ? lists them",
+        "no hay orden :{word}; Tab las completa, ? las enumera";
     /// A beginning that several have.
     may_be(text: &str, commands: &str) = ":{text} may be {commands}", ":{text} puede ser {commands}";
     /// How many steps there are.
@@ -36,8 +38,8 @@ texts! {
             near => format!("no quantity `{key}`; did you mean `{near}`?"),
         },
         |key, near| match near {
-            "" => format!("no hay cantidad `{key}`; Tab las enumera: :picture shade.n_dot_l@C R"),
-            near => format!("no hay cantidad `{key}`; ¿quiso decir `{near}`?"),
+            "" => format!("no hay magnitud `{key}`; Tab las enumera: :picture shade.n_dot_l@C R"),
+            near => format!("no hay magnitud `{key}`; ¿quiso decir `{near}`?"),
         };
     /// A number has no components.
     no_components(key: &str) = "{key} is a number, it has no components", "{key} es un número, no tiene componentes";

@@ -256,9 +256,9 @@ texts! {
     /// Its title.
     title = "What the symbols mean", "Qué significan los símbolos";
     /// Its columns, and what is said where it has no entries.
-    list: List<4> =
-        list(["symbol", "meaning", "formula", "source text"], "no symbols here"),
-        list(["símbolo", "significado", "fórmula", "texto"], "aquí no hay símbolos");
+    list: List<2> =
+        list(["symbol", "meaning, formula, section of the source text"], "no symbols here"),
+        list(["símbolo", "significado, fórmula, sección del texto"], "aquí no hay símbolos");
     /// Its parts: the symbols of the node, of the rest of the log, and the signs.
     headings: [Text; 3] =
         ["Here:", "Elsewhere:", "Signs:"],

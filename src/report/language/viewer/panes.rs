@@ -10,7 +10,7 @@ texts! {
     /// The section of the source text that has a quantity.
     section(section: &str) = "section {section}", "sección {section}";
     /// The numeric example of the source text doesn't compute it.
-    left_out = "not in the example", "no está en el ejemplo";
+    left_out = "(left out)", "(omitido)";
     /// What some keys do, by pane and mode.
     hints: StatusHints;
     /// It plays, at this many steps per second.

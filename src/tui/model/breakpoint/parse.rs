@@ -9,6 +9,10 @@ use crate::report::words::plain;
 /// The most parentheses inside each other.
 const DEEPEST: usize = 32;
 
+/// The most terms, and the most characters of a condition. Whether a name goes on behind an `and` is asked of every later one.
+const MOST_TERMS: usize = 64;
+const LONGEST: usize = 4096;
+
 /// What joins two terms.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Joint {
@@ -27,12 +31,18 @@ struct Piece<'t> {
 
 /// The condition that a text stands for, in a log that has these objects, lights and quantities.
 pub fn parse(text: &str, log: &Log, texts: &Breakpoints) -> Result<Condition, String> {
+    if text.len() > LONGEST {
+        return Err((texts.too_long)(MOST_TERMS, LONGEST));
+    }
     nested(text, log, texts, DEEPEST)
 }
 
 fn nested(text: &str, log: &Log, texts: &Breakpoints, room: usize) -> Result<Condition, String> {
     let text = text.trim();
     let pieces = pieces(text);
+    if pieces.len() > MOST_TERMS {
+        return Err((texts.too_long)(MOST_TERMS, LONGEST));
+    }
     let mut alternatives = Vec::new();
     let mut all = Vec::new();
     let mut at = 0;

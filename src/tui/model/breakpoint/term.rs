@@ -99,7 +99,8 @@ struct Unknown {
 
 /// The numbers of the objects or lights with a name.
 fn named(names: &[String], name: &str, unknown: &Unknown) -> Result<Vec<u32>, String> {
-    let name = name.trim_matches('"');
+    // Quotes may be part of the name.
+    let name = if names.iter().any(|known| known == name) { name } else { name.trim_matches('"') };
     let numbers = |is: &dyn Fn(&str) -> bool| -> Vec<u32> {
         (0..).zip(names).filter(|(_, known)| is(known)).map(|(number, _)| number).collect()
     };

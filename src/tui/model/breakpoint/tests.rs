@@ -154,3 +154,19 @@ fn every_kind_of_an_event_has_its_word() {
     }
     assert!(kind::WORDS.iter().all(|word| kind::find(word) == Some(word)));
 }
+
+/// Whether a name goes on is asked of every later term, so there are so many at most; names with quotes are themselves.
+#[test]
+fn long_conditions_are_refused() {
+    let many = |count: usize| vec!["object plane"; count].join(" and ");
+    assert!(parse(&many(64), &textbook(), texts()).is_ok());
+    for text in [many(65), many(600), format!("({})", many(65)), format!("object {}", "x".repeat(5000))] {
+        let said = parse(&text, &textbook(), texts()).unwrap_err();
+        assert!(said.contains("at most 64 terms and 4096 characters"), "{said}");
+    }
+    let mut log = textbook();
+    log.header.objects[0] = "\"q\"".to_owned();
+    for text in ["object \"q\"", "object \"sphere\"", "hit and object \"q\""] {
+        assert!(parse(text, &log, texts()).is_ok(), "{text}");
+    }
+}

@@ -43,7 +43,9 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let say = |buffer: &mut Buffer, area: Rect, text: &str| {
         put(buffer, area, Span::styled(shown(text, theme), theme.style(Role::Faint)).into());
     };
-    let Some(plane) = plane else { return say(buffer, body, texts.no_hit) };
+    // Whether there is a hit may be what a quiz asks for.
+    let no_hit = model.hides_outcome().unwrap_or(texts.no_hit);
+    let Some(plane) = plane else { return say(buffer, body, no_hit) };
     if body.width < SMALLEST.0 || body.height < SMALLEST.1 {
         return say(buffer, body, texts.too_small);
     }
