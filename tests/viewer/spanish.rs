@@ -166,7 +166,7 @@ fn strings_by_language() -> [Vec<String>; 2] {
             }
             continue;
         }
-        if file.path == "viewer/glossary.rs" {
+        if ["viewer/glossary.rs", "viewer/glossary/shapes.rs", "viewer/glossary/sampling.rs"].contains(&&*file.path) {
             // A key or a sign, and what it means in both.
             for (number, (_, text)) in file.strings().into_iter().enumerate().filter(|(number, _)| number % 3 > 0) {
                 found[number % 3 - 1].push(text.to_owned());

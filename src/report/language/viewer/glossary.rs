@@ -1,5 +1,8 @@
 //! What the symbols mean, in the words of the source text (Ramos, "Trazado de rayos").
 
+mod sampling;
+mod shapes;
+
 use crate::report::language::{Language, Text};
 
 /// Signs of formulas, paths and classes, with what they mean.
@@ -47,7 +50,7 @@ const SIGNS: &[(Text, [Text; 2])] = &[
     ),
 ];
 
-/// What quantities mean, by their keys in a log.
+/// What quantities mean, by their keys in a log; those of shapes and of sampling have tables of their own.
 const QUANTITIES: &[(&str, [Text; 2])] = &[
     ("ray.origin", ["origin of the ray", "origen del rayo"]),
     ("ray.vector", ["vector of the ray before it is normalised", "vector del rayo antes de normalizar"]),
@@ -249,11 +252,15 @@ const QUANTITIES: &[(&str, [Text; 2])] = &[
     ("ray.time", ["time at which the ray sees the scene", "instante en que el rayo ve la escena"]),
 ];
 
+/// The rows of all tables of quantities.
+fn rows() -> impl Iterator<Item = &'static (&'static str, [Text; 2])> {
+    [QUANTITIES, shapes::ROWS, sampling::ROWS].into_iter().flatten()
+}
+
 impl Language {
-    /// What a quantity means, by its key in a log; none for those that only their formula explains.
+    /// What a quantity means, by its key in a log; none for what is no key.
     pub fn meaning(self, key: &str) -> Option<Text> {
-        let found = QUANTITIES.iter().find(|(known, _)| *known == key);
-        found.map(|(_, meanings)| meanings[self as usize])
+        rows().find(|(known, _)| *known == key).map(|(_, meanings)| meanings[self as usize])
     }
 
     /// Signs of formulas, paths and classes, with what they mean.
@@ -269,17 +276,16 @@ mod tests {
 
     #[test]
     fn every_meaning_is_that_of_a_quantity_and_in_its_language() {
-        for (at, (key, meanings)) in QUANTITIES.iter().enumerate() {
+        for (at, (key, meanings)) in rows().enumerate() {
             assert!(Name::with_key(key).is_some(), "{key}");
             assert!(meanings[0] != meanings[1], "{key}");
-            assert!(QUANTITIES[..at].iter().all(|(other, _)| other != key), "{key} twice");
+            assert!(rows().take(at).all(|(other, _)| other != key), "{key} twice");
         }
     }
 
-    /// What the numeric example of the source text computes is explained.
     #[test]
-    fn what_the_source_text_prints_has_a_meaning() {
-        for name in Name::all().filter(|name| name.section() == "1.3") {
+    fn every_quantity_has_a_meaning() {
+        for name in Name::all() {
             assert!(Language::Spanish.meaning(name.key()).is_some(), "{}", name.key());
         }
     }
