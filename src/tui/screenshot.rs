@@ -219,7 +219,7 @@ mod tests {
         // The first dot of a cell, and the last one of the next.
         let middles = [(1.25, 0.125), (2.75, 0.875)].map(|(column, row)| [column * CELL.0, row * CELL.1]);
         let [first, last] = middles.map(|[x, y]| format!("M{:.1} {:.1}h", MARGIN + x - 0.8, MARGIN + y - 0.8));
-        assert!(svg.contains(&first) && svg.contains(&last) && svg.matches('z').count() == 2, "{svg}");
+        assert!(svg.contains(&first) && svg.contains(&last) && svg.matches("h-1.6z").count() == 2, "{svg}");
     }
 
     #[test]

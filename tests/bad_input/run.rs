@@ -1,5 +1,6 @@
 //! Running the program within the limits that every row has.
 
+use std::env;
 use std::fs::{self, File};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -92,7 +93,9 @@ pub fn wait(mut child: Child, most_time: Duration) -> (ExitStatus, u64) {
 /// The time on a processor that a process took, and the most memory it had in KiB; 0 where the system doesn't tell.
 fn spent(process: u32) -> (Duration, u64) {
     let read = |name: &str| fs::read_to_string(format!("/proc/{process}/{name}")).unwrap_or_default();
-    let status = read("status");
+    // Just after it was started the process may still be in the memory of the tests, and be them.
+    let has_begun = fs::read_link(format!("/proc/{process}/exe")).ok() != env::current_exe().ok();
+    let status = if has_begun { read("status") } else { String::new() };
     let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     let peak = peak.and_then(|line| line.trim().trim_end_matches(" kB").parse().ok()).unwrap_or(0);
     // The fields behind the name, which may hold anything; the 12th and 13th are the times, 100 ticks a second.

@@ -1,6 +1,7 @@
 //! A program in a pseudo-terminal, with the screen that it draws.
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::io::{Read, Write};
 use std::sync::{Arc, Mutex};
@@ -87,6 +88,19 @@ impl Session {
     /// Whether the program has written this.
     pub fn has_written(&self, text: &str) -> bool {
         String::from_utf8_lossy(&self.written.lock().expect("the output")).contains(text)
+    }
+
+    /// The numbers of the colours that the program has written with, of letters and of what is behind them.
+    pub fn colors(&self) -> BTreeSet<u8> {
+        let written = self.written.lock().expect("the output");
+        let text = String::from_utf8_lossy(&written);
+        let of_sequence = |sequence: &str| -> Vec<u8> {
+            let parameters = sequence.split(|c: char| !c.is_ascii_digit() && c != ';').next().unwrap_or_default();
+            let numbers: Vec<&str> = parameters.split(';').collect();
+            let colors = numbers.windows(3).filter(|three| matches!(three, ["38" | "48", "5", _]));
+            colors.filter_map(|three| three[2].parse().ok()).collect()
+        };
+        text.split("\x1b[").flat_map(of_sequence).collect()
     }
 
     /// Waits until the screen no longer shows a text.

@@ -20,6 +20,8 @@ mod schematic;
 mod spanish;
 #[cfg(unix)]
 mod terminal;
+#[cfg(unix)]
+mod themes;
 mod understanding;
 mod values;
 #[cfg(unix)]

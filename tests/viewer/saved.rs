@@ -119,9 +119,9 @@ fn the_log_is_exported_as_trace_writes_it() {
     assert!(std::process::Command::new("mkfifo").arg(&pipe).status().expect("a program of every Unix").success());
     session.press(&format!(":export {}\r", pipe.display()));
     session.shows("expected the name of a file");
-    session.press(&format!("\x03:export {}/\r", folder.path().join("b.html").display()));
+    session.press(&format!("l:export {}/\r", folder.path().join("b.html").display()));
     session.shows("expected the name of a file");
-    session.press("\x03:export -\r");
+    session.press("l:export -\r");
     session.shows("expected a name that ends in one of .html");
     session.press("Q:export b.html\r");
     session.shows("that would tell the results");
@@ -145,8 +145,6 @@ fn notes_are_kept_beside_a_saved_log() {
     // They were read: nothing else may be written there.
     session.press(&format!(":export {}\r", notes.display()));
     session.shows("is the input, which would be overwritten");
-    session.press("\x03");
-    session.hides("overwritten");
     leave(session);
     let kept = fs::read_to_string(&notes).expect("the notes");
     let document: serde_json::Value = serde_json::from_str(&kept).expect("JSON");
