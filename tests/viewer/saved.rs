@@ -119,7 +119,9 @@ fn the_log_is_exported_as_trace_writes_it() {
     assert!(std::process::Command::new("mkfifo").arg(&pipe).status().expect("a program of every Unix").success());
     session.press(&format!(":export {}\r", pipe.display()));
     session.shows("expected the name of a file");
-    session.press(&format!("l:export {}/\r", folder.path().join("b.html").display()));
+    session.press("l");
+    session.hides("expected the name of a file");
+    session.press(&format!(":export {}/\r", folder.path().join("b.html").display()));
     session.shows("expected the name of a file");
     session.press("l:export -\r");
     session.shows("expected a name that ends in one of .html");
