@@ -28,7 +28,7 @@ enum Wanted {
     AllClasses,
 }
 
-/// What stands for all lights, and for all classes.
+/// The word for all lights, and for all classes.
 const ALL_LIGHTS: &str = "light:all";
 const ALL_CLASSES: &str = "class:all";
 

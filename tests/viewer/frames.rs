@@ -3,25 +3,30 @@
 use crate::support::{scene, snapshots};
 use raywalk::log::Log;
 use raywalk::record::{self, Arithmetic};
+use raywalk::report::language::Language;
 use raywalk::tui::{self, Options, Palette, Theme, dump::dump};
 
 fn by_hand() -> Log {
     record::pixel(&scene("textbook"), [160, 120], Arithmetic::Decimal(3))
 }
 
-fn options(palette: Palette, ascii: bool) -> Options {
+/// The viewer as it usually starts, with this look and language.
+pub fn usual(theme: Theme, language: Language) -> Options {
     Options {
-        theme: Theme::new(palette, ascii),
+        theme,
         start: None,
         warning: None,
         note: None,
         numbers: Default::default(),
-        language: Default::default(),
+        language,
         controls: Default::default(),
     }
 }
 
-/// Text and styles of the frame after these keys.
+fn options(palette: Palette, ascii: bool) -> Options {
+    usual(Theme::new(palette, ascii), Language::English)
+}
+
 fn frame_after(keys: &str, width: u16, height: u16, options: &Options) -> String {
     let model = tui::opened_with_keys(by_hand(), options, None, keys, (width, height));
     dump(&tui::frame(&model, width, height, &options.theme))

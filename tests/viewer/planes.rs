@@ -1,5 +1,6 @@
 //! `:picture`: any quantity, any light and any class of paths, over the numeric example.
 
+use crate::frames::usual;
 use crate::support::{scene, snapshots};
 use raywalk::log::plane::Plane;
 use raywalk::log::{Log, Subject, Value};
@@ -75,15 +76,7 @@ impl Live for Example {
 
 fn options(language: Language) -> Options {
     let theme = Theme::new(Palette::Indexed, false);
-    Options {
-        theme,
-        start: None,
-        warning: None,
-        note: None,
-        numbers: Default::default(),
-        controls: Default::default(),
-        language,
-    }
+    usual(theme, language)
 }
 
 fn after(keys: &str, size: (u16, u16), language: Language) -> Model {

@@ -1,5 +1,6 @@
 //! Where people got stuck: which rounding caused the error, the example on paper, and what is asked for in the first minutes.
 
+use crate::frames::usual;
 use crate::support::{scene, snapshots};
 use assert_cmd::Command;
 use raywalk::log::{Log, Name, RayKind, Subject, What};
@@ -9,7 +10,7 @@ use raywalk::report::language::Language;
 use raywalk::report::paper::Paper;
 use raywalk::study::rounding::{self, Rounding};
 use raywalk::study::textbook::{Example, table};
-use raywalk::tui::{self, Live, Model, Options, Palette, Refusal, Theme, dump::dump};
+use raywalk::tui::{self, Live, Model, Palette, Refusal, Theme, dump::dump};
 
 /// The numeric example, by hand.
 struct ByHand;
@@ -43,15 +44,7 @@ impl Live for ByHand {
 
 fn model_after(keys: &str, language: Language, size: (u16, u16)) -> Model {
     let theme = Theme::new(Palette::None, false);
-    let options = Options {
-        theme,
-        start: None,
-        warning: None,
-        note: None,
-        numbers: Default::default(),
-        language,
-        controls: Default::default(),
-    };
+    let options = usual(theme, language);
     let log = record::pixel(&scene("textbook"), MIDDLE, Arithmetic::Decimal(3));
     tui::opened_with_keys(log, &options, Some(&mut ByHand), keys, size)
 }
@@ -166,15 +159,7 @@ fn a_filter_leaves_what_is_transmitted() {
     let pixel = text.camera.resolution.map(|side| side / 2);
     let log = record::pixel(&text, pixel, Arithmetic::F64);
     let theme = Theme::new(Palette::None, false);
-    let options = Options {
-        theme,
-        start: None,
-        warning: None,
-        note: None,
-        numbers: Default::default(),
-        language: Language::English,
-        controls: Default::default(),
-    };
+    let options = usual(theme, Language::English);
     let model = tui::opened_with_keys(log, &options, None, "f transmitted Enter E", (100, 30));
     let is_brought = |node: usize| model.tree.around(node).any(|at| model.tree.ray(at) == Some(RayKind::Transmitted));
     let shown: Vec<_> = std::iter::successors(Some(0), |row| model.fold.below(&model.tree, *row)).collect();

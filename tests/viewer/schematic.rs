@@ -1,10 +1,11 @@
 //! The frames of the schematic, of the vectors at a hit, and of rays over the picture, at three sizes in both languages.
 
+use crate::frames::usual;
 use crate::support::{scene, snapshots};
 use raywalk::log::{Log, Subject};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::language::Language;
-use raywalk::tui::{self, Dot, Drawing, Image, Live, Options, Palette, Refusal, Theme, Wanted, Wireframe, dump::dump};
+use raywalk::tui::{self, Dot, Drawing, Image, Live, Palette, Refusal, Theme, Wanted, Wireframe, dump::dump};
 use std::sync::Arc;
 
 /// The numeric example with a picture of one colour.
@@ -63,15 +64,7 @@ fn frames_of_rays_and_vectors() {
         for (name, keys) in VIEWS {
             for (size, width, height) in [("40x12", 40, 12), ("80x24", 80, 24), ("120x40", 120, 40)] {
                 for (language, code) in [(Language::English, ""), (Language::Spanish, "_es")] {
-                    let options = Options {
-                        theme: Theme::new(Palette::Indexed, false),
-                        start: None,
-                        warning: None,
-                        note: None,
-                        numbers: Default::default(),
-                        controls: Default::default(),
-                        language,
-                    };
+                    let options = usual(Theme::new(Palette::Indexed, false), language);
                     let mut example = Example;
                     let live = Some(&mut example as &mut dyn Live);
                     let model = tui::opened_with_keys(by_hand(), &options, live, keys, (width, height));

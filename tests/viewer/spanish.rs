@@ -2,6 +2,7 @@
 
 mod keys;
 
+use crate::frames::usual;
 use crate::source::{SourceFile, files_below};
 use crate::support::{scene, snapshots};
 use assert_cmd::Command;
@@ -53,8 +54,7 @@ fn by_hand() -> Log {
 }
 
 fn options(palette: Palette, ascii: bool) -> Options {
-    let (theme, language, controls) = (Theme::new(palette, ascii), Language::Spanish, Default::default());
-    Options { theme, start: None, warning: None, note: None, numbers: Default::default(), language, controls }
+    usual(Theme::new(palette, ascii), Language::Spanish)
 }
 
 /// The frame of a log after these keys, with a scene behind it or without.

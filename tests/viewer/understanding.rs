@@ -1,9 +1,10 @@
 //! Frames of the lists that explain, pinned with their styles.
 
+use crate::frames::usual;
 use crate::support::{scene, snapshots};
 use raywalk::log::{Log, Subject};
 use raywalk::record::{self, Arithmetic, Part};
-use raywalk::tui::{self, Live, Options, Palette, Refusal, Theme, dump::dump};
+use raywalk::tui::{self, Live, Palette, Refusal, Theme, dump::dump};
 
 /// The numeric example, traced as often as somebody asks.
 struct Example;
@@ -25,15 +26,7 @@ impl Live for Example {
 
 fn frame_after(keys: &str, width: u16, height: u16) -> String {
     let theme = Theme::new(Palette::Indexed, false);
-    let options = Options {
-        theme,
-        start: None,
-        warning: None,
-        note: None,
-        numbers: Default::default(),
-        language: Default::default(),
-        controls: Default::default(),
-    };
+    let options = usual(theme, Default::default());
     let log = record::pixel(&scene("textbook"), [160, 120], Arithmetic::Decimal(3));
     let model = tui::opened_with_keys(log, &options, Some(&mut Example), keys, (width, height));
     dump(&tui::frame(&model, width, height, &theme))

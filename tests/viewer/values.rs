@@ -1,22 +1,15 @@
 //! Values that are watched, their history, expressions, and the marks of breakpoints: frames in both languages, and in a pseudo-terminal
 //! while the scene changes.
 
+use crate::frames::usual;
 use crate::support::{scene, snapshots};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::Language;
-use raywalk::tui::{self, Options, Palette, Theme, dump::dump};
+use raywalk::tui::{self, Palette, Theme, dump::dump};
 
 fn frame(keys: &str, (width, height): (u16, u16), language: Language, ascii: bool) -> String {
     let theme = Theme::new(Palette::None, ascii);
-    let options = Options {
-        theme,
-        start: None,
-        warning: None,
-        note: None,
-        numbers: Default::default(),
-        controls: Default::default(),
-        language,
-    };
+    let options = usual(theme, language);
     let log = record::pixel(&scene("textbook"), [160, 120], Arithmetic::Decimal(3));
     let model = tui::opened_with_keys(log, &options, None, keys, (width, height));
     dump(&tui::frame(&model, width, height, &theme))

@@ -22,7 +22,7 @@ pub const MAX_CONFIG_BYTES: u64 = 1 << 18;
 /// The environment variable with its path.
 const VARIABLE: &str = "RAYWALK_CONFIG";
 
-/// What stands for no file.
+/// The word for no file.
 const NONE: &str = "none";
 
 /// Which configuration the viewer has.
